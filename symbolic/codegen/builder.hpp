@@ -63,8 +63,6 @@ private:
 
   int made(kernel::Expr e);
   int function(kernel::Expr e);
-  int square_root(kernel::Expr x);
-  int arc_tangent(kernel::Expr e);
   int product(const kernel::Exprs& factors);
   int plain_product(const kernel::Exprs& factors);
   int ceiling(kernel::Expr x);

@@ -29,15 +29,6 @@ bool holds(const Domain& d, Expr f) {
     return false;
   }
 }
-void check_argument(const Domain& d, Expr argument, Expr formula) {
-  for (const Input& input : d.quantity.inputs) {
-    if (argument == input.variable) return;
-    const Interval r = range_of(input, d.which, d.is_wide);
-    const bool is_number = argument.op() == kernel::Op::Num;
-    if (is_number && r.is_point() && exact(r.low) == argument.value()) return;
-  }
-  throw Refused(kernel::text(argument) + " is no input here: " + kernel::text(formula));
-}
 std::string in_words(const Input& i) {
   Words others;
   for (Expr a : i.variable.args())
@@ -118,9 +109,15 @@ Expr checked_head(const Domain& d, const kernel::Theorem& t) {
   const Expr name = head(d, t);
   const Exprs parameters = kernel::signature(name.name())->params;
   for (std::size_t k = 0; k < name.size(); ++k) {
-    const bool is_unit =
-        k < parameters.size() && is_at_unit(d.quantity.units, parameters[k], name.arg(k));
-    if (!is_unit) check_argument(d, name.arg(k), t.conclusion());
+    const Expr a = name.arg(k);
+    const auto is_it = [&](const Input& input) {
+      const Interval r = range_of(input, d.which, d.is_wide);
+      const bool is_number = a.op() == kernel::Op::Num && r.is_point();
+      return a == input.variable || (is_number && exact(r.low) == a.value());
+    };
+    const bool is_unit = k < parameters.size() && is_at_unit(d.quantity.units, parameters[k], a);
+    if (!is_unit && std::ranges::none_of(d.quantity.inputs, is_it))
+      throw Refused(kernel::text(a) + " is no input here: " + kernel::text(t.conclusion()));
   }
   return name;
 }

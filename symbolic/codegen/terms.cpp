@@ -79,23 +79,17 @@ int Builder::function(Expr e) {
   if (op == Op::power) return power(build(e.arg(0)), build(e.arg(1)));
   if (op == Op::turn) return turn(build(e.arg(0)));
   if (op == Op::constant) return constant(1, true);
-  if (op == Op::root) return square_root(e.arg(0));
-  if (op == Op::arc_tangent && !is_plain()) return arc_tangent(e);
-  if (op == Op::ceiling && !is_plain()) return ceiling(e.arg(0));
-  return unary(op, build(e.arg(0)));
-}
-int Builder::square_root(Expr x) {
-  if (x.op() == kernel::Op::Pow && x.exponent() == 2) return unary(Op::size, build(x.arg(0)));
+  const Expr x = e.arg(0);
+  if (op == Op::root && x.op() == kernel::Op::Pow && x.exponent() == 2)
+    return unary(Op::size, build(x.arg(0)));
+  if (op == Op::ceiling && !is_plain()) return ceiling(x);
   const int k = build(x);
-  if (is_plain()) return unary(Op::root, k);
-  return product(k, unary(Op::reciprocal_root, k));
-}
-int Builder::arc_tangent(Expr e) {
-  const int t = build(e.arg(0));
-  const auto square = squares.find(t);
+  if (is_plain() || op == Op::sine || op == Op::cosine) return unary(op, k);
+  if (op == Op::root) return product(k, unary(Op::reciprocal_root, k));
+  const auto square = squares.find(k);
   if (square == squares.end())
     throw Refused("an arctangent needs a fact about the square: " + kernel::text(e));
-  return arc_tangent(t, square->second);
+  return arc_tangent(k, square->second);
 }
 
 /// Whole numbers above and below, a sign before it all.
