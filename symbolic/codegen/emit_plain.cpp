@@ -86,21 +86,16 @@ std::string array_of(const std::string& type, int size) {
   return "std::array<" + type + ", " + std::to_string(size) + ">";
 }
 
-struct Function {
-  Quantity quantity;  ///< no outputs: nothing is wanted here
-  Words outputs = {};
-  std::string doubling = {};
-  std::string code = {};
-};
-Function function(const PlainForm& f, const Ids& ids, const std::set<std::string>& wanted) {
-  Function r{wanted_part(f.quantity, wanted)};
-  const Quantity& q = r.quantity;
-  Words ceilings;
+/// A function's code, to the header, and what the manifest says of it, if an output is wanted.
+void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::string>& wanted,
+                   Emitted& e) {
+  const Quantity q = wanted_part(f.quantity, wanted);
+  Words all, ceilings;
   for (const Output& o : outputs_of(q.cases[0])) {
-    r.outputs.push_back(o.name);
+    all.push_back(o.name);
     if (o.is_whole) ceilings.push_back(o.name);
   }
-  if (r.outputs.empty()) return r;
+  if (all.empty()) return;
   const bool is_matrix = f.form == "matrices";
   const std::string name = is_matrix ? q.name : q.name + "_" + f.form;
   const std::string structure = capital(q.name) + capital(f.form);
@@ -117,39 +112,39 @@ Function function(const PlainForm& f, const Ids& ids, const std::set<std::string
     branches += guard(f, c).empty() ? std::regex_replace(body, std::regex("(^|\n)  "), "$1")
                                     : "  if (" + guard(f, c) + ") {\n" + body + "  }\n";
     functions.merge(text.functions);
-    if (!p.doubling.empty()) r.doubling = p.doubling;
+    if (e.header.find(p.doubling) == std::string::npos) e.header += p.doubling;
     domains.push_back(domain_in_words(q, c, is_exact));
     counts.push_back(operation_counts(p) + (p.calls.empty() ? "" : ", and those of the calls"));
   }
   for (const Input& i : q.inputs)
     parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
-  const std::string outputs = joined(r.outputs, ", ");
+  const std::string outputs = joined(all, ", ");
   const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
   const std::string theorems = joined(ids_of(q.cases, ids), ", ");
   const std::string head = "template <class Number>\n";
-  if (!is_matrix) r.code += head + "struct " + structure + " {\n  Number " + outputs + ";\n};\n";
-  r.code +=
+  if (!is_matrix) e.header += head + "struct " + structure + " {\n  Number " + outputs + ";\n};\n";
+  e.header +=
       "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
-  if (!theorems.empty()) r.code += "/// Theorems: " + theorems + ".\n";
-  r.code += "/// Operations: " + joined(counts, "; or ") + ".\n";
+  if (!theorems.empty()) e.header += "/// Theorems: " + theorems + ".\n";
+  e.header += "/// Operations: " + joined(counts, "; or ") + ".\n";
   if (!ceilings.empty())
-    r.code +=
+    e.header +=
         "/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
         joined(ceilings, ", ") + ".\n";
-  r.code += head +
-            (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
-                       : structure + "<Number>") +
-            " " + name + "(" + joined(parameters, ", ") + ") {\n";
-  r.code +=
+  e.header += head +
+              (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
+                         : structure + "<Number>") +
+              " " + name + "(" + joined(parameters, ", ") + ") {\n";
+  e.header +=
       "  static_assert(!std::integral<Number>, \"1.0, not 1: integers have no fractions\");\n";
   if (!functions.empty())
-    r.code += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
+    e.header += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
   const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
   if (branches.starts_with("  if ("))
     branches += "  throw std::domain_error(\"" + name + ": allowed: " + between +
                 joined(domains, "; or " + between) + "\");\n";
-  r.code += branches + "}\n";
-  return r;
+  e.header += branches + "}\n";
+  e.manifest.push_back(manifest_entry(q, f.form, e.path, ids));
 }
 }  // namespace
 
@@ -158,17 +153,12 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   const std::string& form = forms.at(0).form;
   const bool is_exact = form == "exact";
   Emitted result{(is_exact ? "exact/" : "plain/") + form + ".hpp", "", {}};
-  std::string body;
-  std::set<std::string> all;
-  std::set<std::string> missing = wanted;
+  std::set<std::string> all, missing = wanted;
   for (const PlainForm& f : forms) {
     for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
-    const Function w = function(f, ids, wanted);
-    if (w.outputs.empty()) continue;
-    body += (body.find(w.doubling) == std::string::npos ? w.doubling : "") + w.code;
-    for (const std::string& name : w.outputs) missing.erase(name);
-    result.manifest.push_back(manifest_entry(w.quantity, form, result.path, ids));
+    emit_function(f, ids, wanted, result);
   }
+  for (const std::string& name : all) missing.erase(name);
   if (!missing.empty()) {
     throw Refused("no output is called " + *missing.begin() +
                   "; allowed: " + joined({all.begin(), all.end()}, ", "));
@@ -181,7 +171,7 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
                                      {"std::int64_t", "<cstdint>"},
                                      {"std::domain_error(", "<stdexcept>"},
                                      {"std::pair<", "<utility>"}})
-    if (body.find(used) != std::string::npos) includes.push_back(header);
+    if (result.header.find(used) != std::string::npos) includes.push_back(header);
   const std::string numbers =
       is_exact
           ? "any field, without error. A whole number outside of its domain throws "
@@ -190,10 +180,11 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
             "functions; each operation is rounded as the type rounds. No error bound is derived: "
             "where terms cancel, the result has their absolute error, and few right digits where "
             "it is far below them. Outside of its domain a function throws std::domain_error.";
-  result.header = broken(
-      opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
-              includes) +
-      "\nnamespace magicmass::generated {\n" + body + "}  // namespace magicmass::generated\n");
+  result.header =
+      broken(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
+                     includes) +
+             "\nnamespace magicmass::generated {\n" + result.header +
+             "}  // namespace magicmass::generated\n");
   return result;
 }
 }  // namespace codegen
