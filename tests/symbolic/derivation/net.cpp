@@ -204,8 +204,9 @@ bool truth(Expr f, const Point& point) {
   if (op == Op::Or) return std::any_of(parts.begin(), parts.end(), holds);
   if (op == Op::Imp) return !holds(parts[0]) || holds(parts[1]);
   if (op == Op::Iff) return holds(parts[0]) == holds(parts[1]);
-  if (op == Op::All) {  // at some values, those of an index among them
-    for (int x = -2; x <= 12; ++x)
+  if (op == Op::All) {  // at some values; so many of an index that collisions have ended by then
+    const int last = f.bound_sort() == kernel::Sort::Int ? 60 : 12;
+    for (int x = -2; x <= last; ++x)
       if (!holds(kernel::open(f, x))) return false;
     return true;
   }
