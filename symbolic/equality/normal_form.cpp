@@ -32,12 +32,11 @@ void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
 bool has_logarithm(Expr e) {
   return is_function(e, "log") || std::ranges::any_of(e.args(), has_logarithm);
 }
-bool is_over_logarithm(const Sum& sum) {
-  const auto divides = [](const auto& power) {
-    return has_logarithm(power.first) && whole_number(power.second).value_or(0) < 0;
-  };
-  return std::ranges::any_of(
-      sum, [&](const auto& term) { return std::ranges::any_of(term.first, divides); });
+bool has_logarithm(const Sum& sum) {
+  return std::ranges::any_of(sum, [](const auto& term) {
+    return std::ranges::any_of(term.first,
+                               [](const auto& power) { return has_logarithm(power.first); });
+  });
 }
 }  // namespace
 
@@ -99,7 +98,7 @@ Sum Forms::function(Expr term) {
     if (term.arg(0) == circle()) return reduced({{circle(), e}});
     const auto k = whole_number(e);
     if (k && std::abs(*k) <= 10000) return integer_power(x, *k);
-    if (is_over_logarithm(power) && is_positive(x))  // 2^(log(x)/log(2)) is x
+    if (has_logarithm(power) && is_positive(x))  // 2^(log(x)/log(2)) is x, x^log(y) is y^log(x)
       return exponential(sum_of(multiplied(e, exponent_of(logarithm(x)))));
     return is_integer(e) ? symbolic_power(x, e) : real_power(x, e);
   }
