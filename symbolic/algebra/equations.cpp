@@ -73,6 +73,13 @@ Expr gap(const Theorem& relation) {
   return c.arg(1) - c.arg(0);
 }
 
+Exprs entry_equations(Expr e) {
+  const Exprs l = entries(e.arg(0)), r = entries(e.arg(1));
+  Exprs out;
+  for (std::size_t i = 0; i < l.size(); ++i) out.push_back(eq(l[i], r[i]));
+  return out;
+}
+
 namespace {
 struct Given {
   Theorems rules, divisors;
@@ -106,12 +113,6 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
     if (!search.cofactors[i].empty())
       certificate.equations.emplace_back(expression(search.cofactors[i]), rules[i]);
   return arithmetic(goal, certificate);
-}
-Exprs entry_equations(Expr e) {
-  const Exprs l = entries(e.arg(0)), r = entries(e.arg(1));
-  Exprs out;
-  for (std::size_t i = 0; i < l.size(); ++i) out.push_back(eq(l[i], r[i]));
-  return out;
 }
 /// Squares of the roots and divisors that are seen to be positive.
 Given found_in(Expr goal, const Given& given) {

@@ -266,6 +266,8 @@ Theorem linear(Expr goal, const Theorems& facts) {
     for (const Expr& g : goal.args()) all.push_back(linear(g, facts));
     return both(all);
   }
+  if (goal.op() == Op::Eq && is_matrix(goal.arg(0)))
+    return restate(goal, linear(logic_and(entry_equations(goal)), facts));
   if (goal.op() == Op::Imp)
     return discharge(goal.arg(0), linear(goal.arg(1), facts + Theorems{assume(goal.arg(0))}));
   if (goal.op() == Op::Iff) {

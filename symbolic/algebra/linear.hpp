@@ -6,7 +6,7 @@
 #include "algebra/logic.hpp"
 
 namespace algebra {
-/// `goal` (=, <, <=, not =; several of them, or one that implies or is equivalent to another) as a
+/// `goal` (=, also of matrices, <, <=, not =; several of them, or one that implies or is equivalent to another) as a
 /// linear combination of `facts` (=, <, <=), each monomial an unknown; the combination is found by
 /// Fourier's and Motzkin's elimination. Where they do not suffice: with what is known, d/d = 1,
 /// squares of roots, the axioms of pi, ceilings and arctangents, i < j as i + 1 <= j for

@@ -4,8 +4,6 @@
 
 namespace derivation {
 namespace {
-Expr U(Expr i) { return chebyshev(i, kappa()); }
-Expr U_last(Expr i) { return fun("U_last", {kappa(), i}); }
 Expr approach_of(Expr i) { return any_start.closing(i); }
 Expr swing(Expr i) { return V * U(i) + W * r_e() * U_last(i); }
 /// Where kappa is below 1: how many collisions there are.

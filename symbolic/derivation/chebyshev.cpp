@@ -6,7 +6,7 @@
 namespace derivation {
 namespace {
 const Expr from_0 = le(0, j);
-Expr U(Expr i, Expr at = x) { return chebyshev(i, at); }
+Expr U_x(Expr i) { return U(i, x); }
 Expr last(Expr i) { return fun("U_last", {x, i}); }
 }  // namespace
 
@@ -17,13 +17,13 @@ void chebyshev(Book& book) {
         return Exprs{2 * x * before[0] - before[1], before[0]};
       });
   const Theorem after = at(def[2]), last_after = at(def[3]);
-  const Theorem first = restate(eq(U(0), 1), def[0]);
+  const Theorem first = restate(eq(U_x(0), 1), def[0]);
   const Theorem second =
-      equation(U(1), 2 * x, {canonical_form(at(def[2], {{j, 0}})), def[0], def[1]});
+      equation(U_x(1), 2 * x, {canonical_form(at(def[2], {{j, 0}})), def[0], def[1]});
   book.show("start", "The polynomials U_j are", under({from_0}, both({first, second})));
   const Theorem next = book.show(
       "next", "and on by the rule",
-      equation(U(j + 2), 2 * x * U(j + 1) - U(j), {at(def[2], {{j, j + 1}}), last_after}));
+      equation(U_x(j + 2), 2 * x * U_x(j + 1) - U_x(j), {at(def[2], {{j, j + 1}}), last_after}));
 
   const auto sine = [](Expr i) { return eq(U(i, cos(y)) * sin(y), sin((i + 1) * y)); };
   const auto at_cosine = [](const Theorem& t) { return at(t, {{x, cos(y)}}); };
@@ -37,24 +37,24 @@ void chebyshev(Book& book) {
                          {at_cosine(last_after), book["chebyshev.sine"]}));
   const Theorem above_1 = assume(le(1, x));
   book.show("rise", "and from 1 on they rise with j by 1 or more,",
-            by_induction(j, logic_and({le(j + 1, U(j)), le(U(j) + 1, U(j + 1))}),
-                         both({linear(le(Expr(0) + 1, U(0)), {first}),
-                               restate(le(U(0) + 1, U(Expr(0) + Expr(1))),
-                                       linear(le(U(0) + 1, U(1)), {first, second, above_1}))}),
+            by_induction(j, logic_and({le(j + 1, U_x(j)), le(U_x(j) + 1, U_x(j + 1))}),
+                         both({linear(le(Expr(0) + 1, U_x(0)), {first}),
+                               restate(le(U_x(0) + 1, U_x(Expr(0) + Expr(1))),
+                                       linear(le(U_x(0) + 1, U_x(1)), {first, second, above_1}))}),
                          [&](const Theorem& now) {
-                           const Theorem more = linear(le(j + 1 + 1, U(j + 1)), {now});
-                           const Theorem up =
-                               linear(le(U(j + 1) + 1, U(j + 2)),
-                                      {next, now, times(above_1, linear(lt(0, U(j + 1)), {more}))});
-                           return both({more, restate(le(U(j + 1) + 1, U(j + 1 + 1)), up)});
+                           const Theorem more = linear(le(j + 1 + 1, U_x(j + 1)), {now});
+                           const Theorem up = linear(
+                               le(U_x(j + 1) + 1, U_x(j + 2)),
+                               {next, now, times(above_1, linear(lt(0, U_x(j + 1)), {more}))});
+                           return both({more, restate(le(U_x(j + 1) + 1, U_x(j + 1 + 1)), up)});
                          }));
   const Theorem kept =
-      by_induction(j, eq(power(U(j), 2), 1 - power(last(j), 2) + 2 * x * U(j) * last(j)),
+      by_induction(j, eq(power(U_x(j), 2), 1 - power(last(j), 2) + 2 * x * U_x(j) * last(j)),
                    {first, def[1]}, {after, last_after});
   book.show("last", "With U_last for the one before, 0 at first,",
             under({from_0}, both({def[1], last_after, after})));
   book.show("neighbours", "three neighbours keep, whatever x is,",
-            equation(power(U(j), 2) - U(j + 1) * last(j), 1, {after, kept}));
+            equation(power(U_x(j), 2) - U_x(j + 1) * last(j), 1, {after, kept}));
   know(assume(lt(0, y)));
   const Theorem mean = assume(eq(x, (y + 1 / y) / 2));
   const Theorem root = equation(power(y, 2), 2 * x * y - 1, {mean});
@@ -63,12 +63,12 @@ void chebyshev(Book& book) {
   book.show(
       "distance",
       "and where x is the mean of y and 1/y, quotients of neighbours differ from y by its powers:",
-      by_induction(j, eq(y * U(j) - last(j), pow(j + 1)),
-                   equation(y * U(0) - last(0), pow(1),
+      by_induction(j, eq(y * U_x(j) - last(j), pow(j + 1)),
+                   equation(y * U_x(0) - last(0), pow(1),
                             {first, def[1], canonical_form(at(powers[1], {{j, 0}})), powers[0]}),
                    [&](const Theorem& now) {
                      return equation(
-                         y * U(j + 1) - last(j + 1), pow(j + 2),
+                         y * U_x(j + 1) - last(j + 1), pow(j + 2),
                          {after, last_after, root, at(powers[1], {{j, j + 1}}), turned(now)});
                    }));
 }

@@ -83,7 +83,6 @@ void neighbours(Book& book) {
 }
 /// Blocks of one mass M, a ball of mass alpha M.
 void equal_blocks(Book& book) {
-  const Expr M = real("M");
   const Theorem block = assume(lt(0, M)), mass = assume(alpha_positive);
   const Known here({block, mass, positive(1 / M, {block})});
   const Substitution equal{{M_A, M}, {w_B, 1 / M}, {M_C, alpha * M}};
@@ -96,7 +95,6 @@ void equal_blocks(Book& book) {
       "equal_blocks", "For blocks of one mass and a ball of alpha times that,",
       equation(substitute(kappa(), equal), (1 + e) / (2 * s * (1 + alpha)),
                {at(book["wedge.kappa"], equal), shared("wedge.r_A"), shared("wedge.r_B")}));
-  const Substitution elastic{{e, 1}};
   book.show(
       "elastic",
       "and without losses that is the cosine of psi/2, below 1: the paper's collisions always end.",

@@ -5,15 +5,13 @@
 
 namespace derivation {
 namespace {
-const Substitution elastic{{e, 1}};
 Expr in_paper(Expr t) { return substitute(substitute(t, blocks_of_paper), elastic); }
 Theorem in_paper(const Theorem& t) { return for_blocks(t, elastic); }
-Expr half() { return psi() / 2; }
 Expr sine(Expr times) { return sin(times * half()); }
 
 /// In the paper's case kappa is a cosine and the ratio of the sides is 1.
 Theorems rules_of_paper(Book& book) {
-  const Theorem is_cosine = part(at(book["collapse.elastic"], {{real("M"), 1}}), 0);
+  const Theorem is_cosine = part(at(book["collapse.elastic"], {{M, 1}}), 0);
   const Theorem kappa_is = restate(eq(in_paper(kappa()), cos(half())), is_cosine);
   return without_losses(book, kappa_is) +
          Theorems{chain(in_paper(book["wedge.r_A"]), turned(in_paper(book["wedge.r_B"])))};

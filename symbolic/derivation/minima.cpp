@@ -4,7 +4,6 @@
 
 namespace derivation {
 namespace {
-Expr half() { return psi() / 2; }
 Expr angle() { return (N_B() + rational(1, 2)) * psi(); }
 
 /// Four ways to say that N_B psi is as at a threshold: by B's velocity, by a cosine, by N_B, and by

@@ -5,8 +5,6 @@
 namespace derivation {
 namespace {
 const Expr from_0 = le(0, n), from_1 = le(1, n);
-Expr half() { return psi() / 2; }
-Expr quarter() { return psi() / 4; }
 
 void powers_of_lambda(Book& book) {
   const Theorem def_turn = book["rotation.lambda_3"];

@@ -9,7 +9,6 @@
 namespace derivation {
 namespace {
 const Expr edge = pi() / 2;
-Expr half() { return psi() / 2; }
 
 /// For 0 < x < pi/2: the ratio with psi/2 = x is at most alpha if and only if x <= psi/2.
 void ratio_of_angle(Book& book) {
@@ -137,8 +136,6 @@ void order(Book& book) {
       equation(fun("alpha_", {1}), 1,
                {at(book["ratios.alpha_k"], {{k, 1}}), restate(eq(cos(angle), one_half), is_half)}));
 }
-
-Expr quarter() { return psi() / 4; }
 
 /// A velocity of the chapter "power" at a threshold, where its angle is pi less `rest`.
 struct Velocity {

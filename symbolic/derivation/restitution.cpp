@@ -6,9 +6,7 @@
 
 namespace derivation {
 namespace {
-const Expr M_1 = real("M_1"), M_2 = real("M_2"), w_2 = real("w_2");
-const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
-
+const Expr w_2 = real("w_2");
 const Expr relative = eq(v_2 - v_1, e*(u_1 - u_2));
 const Expr momentum_kept = eq(M_1 * u_1 + M_2 * u_2, M_1* v_1 + M_2 * v_2);
 /// With the inverse mass of the second body.

@@ -105,9 +105,8 @@ void rotation(Book& book) {
                      matrix(3, {-1 / r2, -q, 1 / w, 1 / r2, -q, 1 / w, 0, sqrt(2 / (2 + alpha)),
                                 sqrt(alpha) / w}),
                      Theorems{quotient, other} + with_frame));
-  book.show("R_orthogonal", "The frame is orthogonal,",
+  book.show("R_orthogonal", "The frame is orthogonal:",
             equation(times(transpose(R()), R()), identity(3), with_frame));
-  book.show("R_determinant", "and right-handed:", equation(det(R()), 1, with_frame));
   const Theorem turn_3 =
       book.name("lambda_3", {x}, matrix(3, {cos(x), -sin(x), 0, sin(x), cos(x), 0, 0, 0, 1}), {},
                 "A rotation about the third axis:", "eq:lambda-3");

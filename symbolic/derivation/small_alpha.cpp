@@ -16,10 +16,6 @@ void theta_bounds(Book& book) {
   const Theorem definition = book["ball.theta"];
   know(book.show("theta_range", "The range of theta:",
                  both({positive(definition), linear(lt(theta(), pi()), {definition})})));
-  const Theorem cosine = positive(book["ball.cos_theta"], {assume(light)});
-  const Theorem falls = cosine_falls(assume(le(pi() / 2, theta())));
-  book.show("theta_light",
-            "for a ball lighter than a block:", otherwise(lt(theta(), pi() / 2), {cosine, falls}));
   const Theorems bounds{definition, atan_bounds(s)};
   book.show("theta_bounds", "theta is about 2 sqrt(alpha):",
             linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));

@@ -23,6 +23,9 @@ inline const Expr j = integer("j");
 inline const Expr k = integer("k");
 inline const Expr x = real("x");
 inline const Expr y = real("y");
+/// Masses of two bodies, of a block, and velocities before and after a collision.
+inline const Expr M_1 = real("M_1"), M_2 = real("M_2"), M = real("M");
+inline const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
 inline const Expr alpha_positive = lt(0, alpha);
 inline const Expr V_positive = lt(0, V);
 
@@ -43,6 +46,8 @@ inline Expr c_prime(Expr i) { return fun("c'", {alpha, V, i}); }
 inline Expr V_vector(Expr i) { return fun("V_", {alpha, V, i}); }  ///< (a_n, b_n, sqrt(alpha) c'_n)
 inline Expr theta() { return fun("theta", {alpha}); }
 inline Expr psi() { return fun("psi", {alpha}); }
+inline Expr half() { return psi() / 2; }
+inline Expr quarter() { return psi() / 4; }
 inline Expr V_CM() { return fun("V_CM", {alpha, V}); }
 inline Expr Gamma() { return fun("Gamma", {alpha}); }
 inline Expr Gamma_A() { return fun("Gamma_A", {alpha}); }

@@ -26,7 +26,7 @@ void energy(Book& book) {
                 equation(gone, (1 - power(e, 2)) * mass * power(closing(j), 2), step));
 
   const Known signs({book["wedge.signs"]});
-  const Expr square = power(root_power(j), 2) * power(chebyshev(j, kappa()), 2);
+  const Expr square = power(root_power(j), 2) * power(U(j), 2);
   const Expr unit = (1 - power(e, 2)) * (M_C * power(r_A(), 2) * power(V, 2));
   const Theorems rules =
       squared_shares(book) + Theorems{book["wedge.speed"], book["motion.turn_squared"]};

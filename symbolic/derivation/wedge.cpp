@@ -43,7 +43,7 @@ void angle_of_the_wedge(Book& book, const Theorem& speed) {
                                               equation(1 / sqrt(1 + power(t, 2)), x_e,
                                                        {root_of(square, positive(1 / x_e))}))})));
   know(book.show("acute", "an acute one,", both({positive(is), linear(lt(h, pi() / 2), {is})})));
-  const Expr sine = sin((j + 1) * h), U_j = chebyshev(j, x_e);
+  const Expr sine = sin((j + 1) * h), U_j = U(j);
   const Theorem quotient = rewrite(cosine, at(book["chebyshev.sine"], {{y, h}}));
   book.show("speed_sine", "so that the approach speeds are sines, too,",
             equation(closing(j), V * root_power(j) * side(j) * (sine / sin(h)),
@@ -110,13 +110,12 @@ void wedge(Book& book) {
   const Theorem is = book.name("kappa", masses_and_e(), (1 + e) * r_A() * r_B() / (2 * sqrt(e)),
                                of_wedge({lt(0, e)}), "the shape of the motion is one number:");
   know(positive(is));
-  const Theorem speed = book.show(
-      "speed", "So collision j has the approach speed",
-      approach_speeds(book, at_rest,
-                      [](Expr i) { return V * root_power(i) * side(i) * chebyshev(i, kappa()); },
-                      {is}));
+  const Theorem speed =
+      book.show("speed", "So collision j has the approach speed",
+                approach_speeds(book, at_rest,
+                                [](Expr i) { return V * root_power(i) * side(i) * U(i); }, {is}));
   signs_of_factors(book);
-  const Expr U_j = chebyshev(j, kappa()), closes = closing(j);
+  const Expr U_j = U(j), closes = closing(j);
   book.show("takes_place", "and takes place if and only if U_j is positive:",
             same_sign(iff(lt(0, closes), lt(0, U_j)), V * root_power(j) * side(j), {speed}));
   angle_of_the_wedge(book, speed);

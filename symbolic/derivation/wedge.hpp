@@ -57,9 +57,11 @@ Theorem approach_speeds(const Book& book, const Motion& of, const std::function<
                         const Theorems& rules);
 /// Shows the motion from its start, collision by collision, and what its approach speeds keep.
 void sequences(Book& book, const Motion& of, const std::string& words_of_start);
-inline Expr chebyshev(Expr i, Expr at) { return fun("U", {at, i}); }
+inline const Substitution elastic{{e, 1}};
 inline Exprs masses_and_e() { return {M_A, w_B, M_C, e}; }
 inline Expr kappa() { return fun("kappa", masses_and_e()); }
+inline Expr U(Expr i, Expr at = kappa()) { return fun("U", {at, i}); }
+inline Expr U_last(Expr i) { return fun("U_last", {kappa(), i}); }
 inline Expr r_A() { return fun("r_A", {M_A, M_C}); }
 inline Expr r_B() { return fun("r_B", {w_B, M_C}); }
 inline Expr r_e() { return fun("r_e", masses_and_e()); }

@@ -4,8 +4,6 @@
 
 namespace derivation {
 namespace {
-Expr U(Expr index) { return chebyshev(index, kappa()); }
-Expr U_last(Expr index) { return fun("U_last", {kappa(), index}); }
 /// A and C touch, and B is at a distance L.
 const Substitution from_rest{{W, 0}, {d_A, 0}, {d_B, L}};
 /// The velocities and approach speeds of the motion from any start are those that we know.
