@@ -48,12 +48,7 @@ public:
     rest_of[i] = rest_of[i] + (plus ? -1 : 1);
     const Expr b = bases[i], step = plus ? b : -b;
     Expr rest = 0;
-    bool nothing_rests = true;
-    for (std::size_t j = 0; j < z.size(); ++j) {
-      rest = rest + Expr(rest_of[j]) * bases[j];
-      nothing_rests = nothing_rests && rest_of[j] == 0;
-    }
-    if (nothing_rests && plus) return {equation(cos(b), cos(b)), equation(sin(b), sin(b))};
+    for (std::size_t j = 0; j < z.size(); ++j) rest = rest + Expr(rest_of[j]) * bases[j];
     const Pair before = pair(rest_of);
     const Substitution terms{{real("x"), rest}, {real("y"), step}};
     const Theorems rules{at("cos sum", terms),
@@ -70,11 +65,6 @@ public:
     known.emplace(z, result);
     return result;
   }
-  bool is_base(Expr canonical_angle) const {
-    for (const Expr& b : bases)
-      if (canonical(b) == canonical_angle) return true;
-    return false;
-  }
 
 private:
   Exprs bases;
@@ -85,6 +75,8 @@ private:
 
 Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   AngleSums sums(bases);
+  Exprs canonical_bases;
+  for (const Expr& b : bases) canonical_bases.push_back(canonical(b));
   std::set<Expr> atoms;
   for (const Expr& t : terms)
     for (const auto& [monomial, q] : polynomial(t))
@@ -92,7 +84,7 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
         if (a.op() == Op::Fun && (a.name() == "cos" || a.name() == "sin")) atoms.insert(a);
   Theorems rules;
   for (const Expr& a : atoms) {
-    if (sums.is_base(a.arg(0))) continue;
+    if (is_among(a.arg(0), canonical_bases)) continue;
     const auto multiples = sums.multiples_of(a.arg(0));
     if (!multiples) continue;
     const auto pair = sums.pair(*multiples);

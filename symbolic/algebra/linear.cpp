@@ -224,10 +224,6 @@ struct Deeper {
   Deeper() { ++depth; }
   ~Deeper() { --depth; }
 };
-bool is_relation(const Theorem& t) {
-  const Op op = t.conclusion().op();
-  return op == Op::Eq || op == Op::Lt || op == Op::Le;
-}
 Expr difference(Expr goal) {
   const Expr f = goal.op() == Op::Not ? goal.arg(0) : goal;
   return f.arg(0) - f.arg(1);
@@ -240,7 +236,7 @@ Proof combination(Expr equation, const Theorems& equations) {
 Proof linear_if(Expr goal, const Theorems& given_facts) {
   Theorems facts;
   for (const Theorem& t : parts(given_facts))
-    if (is_relation(t)) facts.push_back(t);
+    if (is_relation(t.conclusion())) facts.push_back(t);
   if (const Proof p = relation(goal, facts)) return p;
   constexpr int deepest = 3;
   if (Deeper::depth >= deepest) return {};
@@ -252,7 +248,7 @@ Proof linear_if(Expr goal, const Theorems& given_facts) {
   for (int round = 0; round < 2; ++round) {
     for (std::size_t i = 0; i < taken.size(); ++i) {
       const Theorem& t = all_known[i];
-      if (taken[i] || !is_relation(t) || !occurring.shares_an_atom(gap(t))) continue;
+      if (taken[i] || !is_relation(t.conclusion()) || !occurring.shares_an_atom(gap(t))) continue;
       taken[i] = true;
       occurring.add(t);
     }

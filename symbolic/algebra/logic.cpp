@@ -59,9 +59,6 @@ Theorem at(const Theorem& rule, const Substitution& terms, const Theorems& facts
                                  [&](const Theorem& g) { return g.conclusion() == f; });
     return it == given.end() ? linear(f, given) : *it;
   };
-  const auto is_relation = [](Expr f) {
-    return f.op() == Op::Lt || f.op() == Op::Le || f.op() == Op::Eq;
-  };
   for (const Expr& h : t.hypotheses())
     if (!is_among(h, rule.hypotheses()) && is_relation(h)) t = cut(proof(h), t);
   if (t.conclusion().op() != Op::Imp) return t;
@@ -114,10 +111,6 @@ Theorem both(const Theorems& theorems) {
   Exprs formulas;
   for (const Theorem& t : theorems) formulas.push_back(t.conclusion());
   return tautology(logic_and(formulas), theorems);
-}
-Theorems operator+(Theorems a, const Theorems& b) {
-  a.insert(a.end(), b.begin(), b.end());
-  return a;
 }
 Theorem never() {
   static const Theorem result =

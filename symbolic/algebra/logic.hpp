@@ -30,7 +30,11 @@ inline Expr right(const Theorem& t) { return t.conclusion().arg(1); }
 Theorem part(const Theorem& conjunction, std::size_t i);
 /// The conjunction of all.
 Theorem both(const Theorems& theorems);
-Theorems operator+(Theorems a, const Theorems& b);
+template <class T>
+std::vector<T> operator+(std::vector<T> a, const std::vector<T>& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
 /// Conjunctions and equations of matrices in parts.
 Theorems parts(const Theorems& theorems);
 /// f |- f for each.
@@ -58,6 +62,8 @@ private:
 /// What f says, conjunct by conjunct.
 Exprs conjuncts(Expr f);
 bool is_among(Expr f, const Exprs& formulas);
+/// Is f an equation or inequality?
+inline bool is_relation(Expr f) { return f.op() == Op::Eq || f.op() == Op::Lt || f.op() == Op::Le; }
 /// |- not 0 < 0
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f

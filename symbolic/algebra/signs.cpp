@@ -32,20 +32,13 @@ std::optional<Theorem> sign_of_function(Expr t, const Theorems& facts, bool stri
   if (t.name() == "pi") return axiom("pi positive");
   if (t.size() != 1) return {};
   const Substitution of_t{{real("x"), t.arg(0)}};
-  if (t.name() == "inv") {
-    const auto s = sign(t.arg(0), facts, true);
+  const bool inverse = t.name() == "inv", root = t.name() == "sqrt";
+  if (inverse || root || (t.name() == "atan" && strict)) {
+    const auto s = sign(t.arg(0), facts, strict || inverse);
     if (!s) return {};
-    return certified(lt(0, t), {.products = {{1}}, .multipliers = {*s}});
-  }
-  if (t.name() == "sqrt") {
-    const auto s = sign(t.arg(0), facts, strict);
-    if (!s) return {};
+    if (inverse) return certified(lt(0, t), {.products = {{1}}, .multipliers = {*s}});
+    if (!root) return at("atan positive", of_t, {*s});
     return strict ? at(root_positive(), of_t, {*s}) : at("root not negative", of_t, {*s});
-  }
-  if (t.name() == "atan" && strict) {
-    const auto s = sign(t.arg(0), facts, true);
-    if (!s) return {};
-    return at("atan positive", of_t, {*s});
   }
   if (t.name() == "sin" || t.name() == "cos") {
     const Expr y = t.arg(0);
@@ -72,10 +65,11 @@ std::optional<Theorem> sign_of_sum(Expr t, const Theorems& facts, bool strict) {
   if (strict && !some_strict) return {};
   return shown(t, strict, products);
 }
-std::optional<Theorem> sign_of_product(Expr t, const Theorems& facts, bool strict) {
+std::optional<Theorem> sign_of_product(Expr t, const Exprs& of, const Theorems& facts,
+                                       bool strict) {
   Theorems factors;
   cln::cl_RA coefficient = 1;
-  for (const Expr& a : t.args()) {
+  for (const Expr& a : of) {
     if (a.op() == Op::Num && a.value() > 0) {
       coefficient = coefficient * a.value();
       continue;
@@ -90,9 +84,7 @@ std::optional<Theorem> sign_of_power(Expr t, const Theorems& facts, bool strict)
   const auto exponent = static_cast<std::size_t>(t.exponent());
   if (!strict && exponent % 2 == 0)
     return shown(t, false, {{1, {}, Exprs(exponent / 2, t.arg(0))}});
-  const auto s = sign(t.arg(0), facts, strict);
-  if (!s) return {};
-  return shown(t, strict, {{1, Theorems(exponent, *s)}});
+  return sign_of_product(t, Exprs(exponent, t.arg(0)), facts, strict);
 }
 std::optional<Theorem> by_shape(Expr t, const Theorems& facts, bool strict) {
   switch (t.op()) {
@@ -102,7 +94,7 @@ std::optional<Theorem> by_shape(Expr t, const Theorems& facts, bool strict) {
     case Op::Add:
       return sign_of_sum(t, facts, strict);
     case Op::Mul:
-      return sign_of_product(t, facts, strict);
+      return sign_of_product(t, t.args(), facts, strict);
     case Op::Pow:
       return sign_of_power(t, facts, strict);
     case Op::Fun:

@@ -42,18 +42,14 @@ void number(Book& book) {
   count(book,
         {"N_any", any_start.params, domain, approach_of, angle, h, (pi() - phase) / h + 1, sign});
 }
-/// A theorem of V and W, for others.
-Theorem of(Expr of_A, Expr of_B, const Theorem& theorem) {
-  return at(theorem, {{V, of_A}, {W, of_B}});
-}
+/// Of a theorem of V and W that of d_A and d_B.
+Theorem of_distances(const Theorem& theorem) { return at(theorem, start_with(d_A, d_B)); }
 /// V tau - d_A and W tau - d_B, of which the velocities are places.
-Theorem on_the_line(Expr when, const Theorem& theorem) {
-  return of(V * when - d_A, W * when - d_B, theorem);
-}
+Substitution on_the_line(Expr when) { return start_with(V * when - d_A, W * when - d_B); }
 /// That a term at the line's speeds is tau times that of V and W, less that of d_A and d_B.
 Expr is_linear(Expr term) {
-  const auto with = [&](Expr A, Expr B) { return substitute(term, {{V, A}, {W, B}}); };
-  return eq(with(V * tau - d_A, W * tau - d_B), tau * term - with(d_A, d_B));
+  return eq(substitute(term, on_the_line(tau)),
+            tau * term - substitute(term, start_with(d_A, d_B)));
 }
 /// The places, which are velocities for other speeds at the start; a line for each j.
 struct Lines {
@@ -74,13 +70,12 @@ void line(Book& book) {
   Exprs& sequences = lines.velocities;
   for (const std::string body : {"A", "B", "C"}) {
     sequences.push_back(any_start.velocity(body, j));
-    Exprs params = any_start.params;
-    for (Expr p : {d_A, d_B, tau, j}) params.push_back(p);
-    const Expr value = substitute(sequences.back(), {{V, V * tau - d_A}, {W, W * tau - d_B}});
+    const Exprs params = any_start.params + Exprs{d_A, d_B, tau, j};
+    const Expr value = substitute(sequences.back(), on_the_line(tau));
     lines.named.push_back(defined("any_x_" + body, params, value, of_wedge({le(0, j)})));
   }
   const auto three_times = [&](const Theorem& theorem) {
-    return parts({theorem, of(d_A, d_B, theorem), on_the_line(tau, theorem)});
+    return parts({theorem, of_distances(theorem), at(theorem, on_the_line(tau))});
   };
   Theorems next = three_times(book["any_start.next"]);
   for (Theorem& law : next) law = at(law);
@@ -100,18 +95,16 @@ void line(Book& book) {
       is_linear(approach_of(j)), three_times(book["any_start.closing"]) + parts({linear_in_start}));
   const Theorem going = assume(lt(0, approach_of(j)));
   know(going);
-  Exprs params = any_start.params;
-  for (Expr p : {d_A, d_B, j}) params.push_back(p);
-  const auto at_distances = [&](Expr term) { return substitute(term, {{V, d_A}, {W, d_B}}); };
-  const Theorem when = book.name("instant", params, at_distances(approach_of(j)) / approach_of(j),
+  const Theorem when = book.name("instant", any_start.params + Exprs{d_A, d_B, j},
+                                 substitute(approach_of(j), start_with(d_A, d_B)) / approach_of(j),
                                  of_wedge({le(0, j), lt(0, e), going.conclusion()}),
                                  "and collision j takes place at the time");
   const Expr T = left(when);
   const Theorem meets =
       equation(substitute(left(speeds), {{tau, T}}), 0, {at(speeds, {{tau, T}}), when});
-  const auto there = [&](const Theorem& theorem) { return on_the_line(T, theorem); };
+  const auto there = [&](const Theorem& theorem) { return at(theorem, on_the_line(T)); };
   const auto place = [&](std::size_t i, Expr index) {
-    return substitute(sequences[i], {{V, V * T - d_A}, {W, W * T - d_B}, {j, index}});
+    return substitute(substitute(sequences[i], {{j, index}}), on_the_line(T));
   };
   const Expr A = place(0, j), B = place(1, j), C = place(2, j);
   const Theorem speed = there(book["any_start.closing"]);
@@ -135,7 +128,7 @@ void line(Book& book) {
   Theorems facts{when, at(when, {{j, j + 1}}), part(at(book["chebyshev.last"], {{x, kappa()}}), 1),
                  solved_for(power(U(j), 2), at(book["chebyshev.neighbours"], {{x, kappa()}}))};
   for (const Theorem& is : {speed_is, at(speed_is, {{j, j + 1}})})
-    facts = facts + Theorems{is, of(d_A, d_B, is)};
+    facts = facts + Theorems{is, of_distances(is)};
   const Theorem A_B = there(book["any_start.A_B"]);
   const Expr D = place(1, j + 1) - place(0, j + 1), first_in_order = V * d_B - W * d_A;
   know(at(book["wedge.signs"], {{j, j + 1}}));
@@ -191,11 +184,9 @@ void collapse_from_any_start(Book& book) {
       book.show("never_ends", "so that the collisions never end:",
                 tautology(lt(0, approach_of(j)), {book["any_start.takes_place"], rising}));
   know(closes);
-  Exprs params = any_start.params, ending = endless;
-  for (Expr p : {d_A, d_B}) params.push_back(p);
-  ending.push_back(lt(0, left(speed)));
+  const Exprs ending = endless + Exprs{lt(0, left(speed))};
   const auto name = [&](const char* symbol, Expr value, const char* words) {
-    return book.define(symbol, params, value, ending, words);
+    return book.define(symbol, any_start.params + Exprs{d_A, d_B}, value, ending, words);
   };
   know(linear(lt(0, left(speed)), least));
   const Theorem time = name("t_any", (d_A + d_B * r_e() * y_e) / left(speed), "There is a time");
@@ -207,7 +198,7 @@ void collapse_from_any_start(Book& book) {
   shown(
       "time_left", "before which all of them take place,",
       equation(left(time) - left(when), r_e() * in_order * right(gap) / (left(speed) * swing(j)),
-               {time, when, speed, speed_is, of(d_A, d_B, speed_is), solved_for(U_last(j), gap)}));
+               {time, when, speed, speed_is, of_distances(speed_is), solved_for(U_last(j), gap)}));
   const Theorem apart = cut(closes, book["any_start.apart"]), ordered = assume(le(0, in_order));
   const Expr D = left(apart), bound = root_power(j + 1) * side(j + 1) * r_e() * in_order;
   know(at(book["wedge.signs"], {{j, j + 1}}));

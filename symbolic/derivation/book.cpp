@@ -9,6 +9,7 @@
 #include "kernel/print.hpp"
 
 namespace derivation {
+using algebra::operator+;
 namespace {
 void restrict_to(const Exprs& domain, const std::string& symbol, const Exprs& params) {
   if (!domain.empty())
@@ -79,11 +80,10 @@ Theorem defined(const std::string& symbol, const Exprs& params, Expr value, cons
 Theorems defined_by_recursion(const std::vector<std::string>& names, const Exprs& params, Expr n,
                               const Exprs& domain, const Exprs& start,
                               const std::function<Exprs(const Exprs&)>& next) {
-  Exprs with_n = params, before;
-  with_n.push_back(n);
+  Exprs before;
   for (const std::string& name : names) before.push_back(kernel::real(name + "_before"));
   const Theorems out = kernel::define_recursive(names, params, n, before, start, next(before));
-  for (const std::string& name : names) restrict_to(domain, name, with_n);
+  for (const std::string& name : names) restrict_to(domain, name, params + Exprs{n});
   return out;
 }
 }  // namespace derivation

@@ -50,7 +50,7 @@ Exprs unproved_needs(const Theorem& theorem) {
       for (const Expr& f : conjuncts(g)) all_given.push_back(f);
     Theorems facts;
     for (const Expr& f : all_given)
-      if (f.op() == Op::Lt || f.op() == Op::Le || f.op() == Op::Eq) facts.push_back(assume(f));
+      if (is_relation(f)) facts.push_back(assume(f));
     for (const Theorem& f : known())
       if (holds(all_given, [&] { return f; })) facts.push_back(f);
     for (const Expr& condition : conjuncts(guarded ? need.arg(1) : need))

@@ -8,10 +8,7 @@ namespace {
 Exprs masses() { return {M_C, w_B, e}; }
 Expr of_e(const std::string& name) { return fun(name, masses()); }
 const Substitution A_is_1{{M_A, 1}};
-Theorem at_1(const Theorem& t, Substitution terms = {}) {
-  terms.insert(A_is_1.begin(), A_is_1.end());
-  return at(t, terms);
-}
+Theorem at_1(const Theorem& t) { return at(t, A_is_1); }
 Expr at_1(Expr t) { return substitute(t, A_is_1); }
 /// (1 + M_C)(1 + w_B M_C)
 Expr both_masses() { return (1 + M_C) * (1 + w_B * M_C); }

@@ -156,15 +156,15 @@ void in_space(Book& book, const Theorems& names, const Theorem& is) {
   const Theorem mirror = book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
                                    "The reflection of the third axis:");
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
-  const Expr columns =
-      matrix(3, {all[0], all[1], -all[2], all[3], all[4], -all[5], all[6], all[7], -all[8]});
+  const Expr image = times(o, right(mirror));
+  const Theorem kept =
+      rewrite(equation(right(mirror), P_3, {mirror}), linear(eq(gram(image), one), {is}));
   book.show("space_reflection",
             "It changes the sign of a determinant, and applied twice it changes nothing, so that "
             "with determinant -1 the matrix is this reflection and then a rotation:",
             both({with_names(names, equation(det(mirrored), -d, {mirror})),
                   with_names(names, equation(o, times(mirrored, P_3), {mirror})),
-                  with_names(names, rewrite(equation(columns, mirrored, {mirror}),
-                                            linear(eq(gram(columns), one), {is})))}));
+                  with_names(names, kept)}));
   const auto turn = [&](const std::string& name, const std::string& label, const std::string& axis,
                         const Exprs& m) {
     return book.name(name, {x}, matrix(3, m), {}, "A rotation about the " + axis + " axis:", label);

@@ -58,9 +58,7 @@ void recurrence(Book& book, const Motion& of, const Theorems& motion) {
   const auto velocity = [&](const char* body, Expr i) { return of.velocity(body, i); };
   const auto closing = [&](Expr i) { return of.closing(i); };
   const Theorems turns = parts({book["cycle.turn"]});
-  Exprs params = of.params;
-  params.push_back(j);
-  const Theorem definition = defined(of.approach, params,
+  const Theorem definition = defined(of.approach, of.params + Exprs{j},
                                      is_P(j) * (velocity("A", j) - velocity("C", j)) +
                                          is_Q(j) * (velocity("C", j) - velocity("B", j)),
                                      of_wedge({le(0, j)}));

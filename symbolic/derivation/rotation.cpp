@@ -16,21 +16,17 @@ Exprs cross(const Exprs& p, const Exprs& q) {
 Exprs axis_of(Expr rotation_matrix) {
   const Expr p = real("e_2"), q = real("e_3");
   const Exprs direction{1, p, q};
+  const Expr image = times(rotation_matrix, column(direction));
   Exprs rows;
-  for (int i = 0; i < 3; ++i) {
-    Expr image = 0;
-    for (int l = 0; l < 3; ++l)
-      image = image + entry(rotation_matrix, i, l) * direction[static_cast<std::size_t>(l)];
-    rows.push_back(eq(image, direction[static_cast<std::size_t>(i)]));
-  }
+  for (int i = 0; i < 3; ++i) rows.push_back(eq(entry(image, i, 0), direction[std::size_t(i)]));
   const Exprs solution = solve(rows, {p, q});
   return {1, solution[0], solution[1]};
 }
 
 void angle(Book& book, Expr lambda) {
   // 1 + 2 cos(psi) is the trace; tan^2(psi/2) = (1 - cos(psi))/(1 + cos(psi)).
-  const Expr trace = entry(lambda, 0, 0) + entry(lambda, 1, 1) + entry(lambda, 2, 2);
-  const Expr cosine = simplified((trace - 1) / 2);
+  const auto trace = [](Expr m) { return entry(m, 0, 0) + entry(m, 1, 1) + entry(m, 2, 2); };
+  const Expr cosine = simplified((trace(lambda) - 1) / 2);
   const Expr tangent_squared = simplified((1 - cosine) / (1 + cosine));
   const Expr t = sqrt(tangent_squared);
   const Theorem definition =
@@ -56,8 +52,8 @@ void angle(Book& book, Expr lambda) {
   book.show("cos_psi", "table:trig", "The double angle", doubled(cos(psi()), cosine));
   book.show("sin_psi", "table:trig", "and", doubled(sin(psi()), 2 * t / power(1 + alpha, 2)));
   book.show("trace", "agrees with the trace:",
-            equation(entry(Lambda(), 0, 0) + entry(Lambda(), 1, 1) + entry(Lambda(), 2, 2),
-                     1 + 2 * cos(psi()), {book["cycle.Lambda"], book["rotation.cos_psi"]}));
+            equation(trace(Lambda()), 1 + 2 * cos(psi()),
+                     {book["cycle.Lambda"], book["rotation.cos_psi"]}));
 }
 }  // namespace
 

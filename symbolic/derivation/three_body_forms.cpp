@@ -29,10 +29,7 @@ struct Forms : Names {
   }
   /// The same of further variables, before j.
   Theorem with(const Exprs& more, const std::string& symbol, Expr value, const Exprs& where) const {
-    Exprs all = masses_and_e();
-    all.insert(all.end(), more.begin(), more.end());
-    all.push_back(j);
-    return defined(symbol, all, value, where);
+    return defined(symbol, masses_and_e() + more + Exprs{j}, value, where);
   }
   /// Shows that what is so named has a form.
   Theorem show(const Theorem& is, const std::string& words, Expr form,
@@ -59,8 +56,7 @@ Theorem definition_of_q_e(Book& book) {
   const Known here({none, from_1});
   book.show("y_e", "Where they never end,", rewrite(inside, cut(from_1, book["collapse.y_e"])));
   const auto at_end = [&](const std::string& id, const char* words, const Exprs& more) {
-    Exprs hypotheses = of_wedge({lt(0, e), none.conclusion()});
-    hypotheses.insert(hypotheses.end(), more.begin(), more.end());
+    const Exprs hypotheses = of_wedge({lt(0, e), none.conclusion()}) + more;
     const Theorem is = cut(from_1, book["any_start." + id]);
     return book.show(left(is).name(), words, under(hypotheses, is));
   };
@@ -95,7 +91,7 @@ Expr weighed(Expr of_A, Expr of_B, Expr sine, Expr sine_before) {
 void places(const Forms& forms) {
   Book& book = forms.book;
   const Expr of_A = V * tau - d_A, of_B = W * tau - d_B;
-  const Substitution on_the_line{{V, of_A}, {W, of_B}};
+  const Substitution on_the_line = start_with(of_A, of_B);
   const auto there = [&](const char* id) { return at(book[id], on_the_line); };
   const Theorem turn_next = at(part(book["cycle.turn"], 1));
   const Theorem pow_next = at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1));
@@ -152,10 +148,9 @@ void count_and_time(const Forms& forms) {
   know(positive(speed));
   const Theorem going = linear(lt(0, any_start.closing(j)));
   const Theorem when = cut(going, book["any_start.instant"]);
-  const Theorem of_distances = at(book["any_start.speed"], {{V, d_A}, {W, d_B}});
-  Exprs where = forms.domain;
-  where.push_back(going.conclusion());
-  const Theorem moment = forms.with({V, W, d_A, d_B}, "moment", left(when), where);
+  const Theorem of_distances = at(book["any_start.speed"], start_with(d_A, d_B));
+  const Theorem moment =
+      forms.with({V, W, d_A, d_B}, "moment", left(when), forms.domain + Exprs{going.conclusion()});
   forms.show(moment, "Its time is", weighed(d_A, d_B, now, last) / left(reach),
              {when, speed, of_distances});
 }

@@ -16,9 +16,7 @@ inline const Expr d_B = real("d_B");
 inline const Expr tau = real("tau");
 /// Positive masses, B perhaps a wall, and more.
 inline Exprs of_wedge(const Exprs& more) {
-  Exprs out{lt(0, M_A), le(0, w_B), lt(0, M_C)};
-  out.insert(out.end(), more.begin(), more.end());
-  return out;
+  return Exprs{lt(0, M_A), le(0, w_B), lt(0, M_C)} + more;
 }
 /// The mass of all three over that of B, 1 for a wall.
 inline Expr mass_of_all() { return 1 + w_B * (M_A + M_C); }
@@ -30,16 +28,11 @@ struct Motion {
   Expr momentum;  ///< times w_B
 
   /// Of "A", "B" or "C" after i collisions.
-  Expr velocity(const std::string& body, Expr i) const { return of(prefix + body, i); }
-  /// The speed with which the two bodies of collision i approach before it.
-  Expr closing(Expr i) const { return of(approach, i); }
-
-private:
-  Expr of(const std::string& name, Expr i) const {
-    Exprs all = params;
-    all.push_back(i);
-    return fun(name, all);
+  Expr velocity(const std::string& body, Expr i) const {
+    return fun(prefix + body, params + Exprs{i});
   }
+  /// The speed with which the two bodies of collision i approach before it.
+  Expr closing(Expr i) const { return fun(approach, params + Exprs{i}); }
 };
 /// The ball and B at rest.
 inline const Motion at_rest{"motion",  "v_",       "closing", {M_A, w_B, M_C, e, V},
@@ -48,6 +41,7 @@ inline const Motion at_rest{"motion",  "v_",       "closing", {M_A, w_B, M_C, e,
 inline const Motion any_start{"any_start",   "any_",
                               "nearing",     {M_A, w_B, M_C, e, V, W},
                               {V + W, 0, W}, w_B*(M_A*(V + W) + M_C * W)};
+inline Substitution start_with(Expr of_A, Expr of_B) { return {{V, of_A}, {W, of_B}}; }
 inline Expr velocity(const std::string& body, Expr i) { return at_rest.velocity(body, i); }
 inline Expr closing(Expr i) { return at_rest.closing(i); }
 /// sqrt(e)^i

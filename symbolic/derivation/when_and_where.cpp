@@ -62,8 +62,7 @@ void until_the_next(Book& book) {
   };
   Theorems named{turned(time)}, places;
   for (const std::string body : {"A", "B", "C"}) {
-    Exprs line = any_start.params;
-    for (Expr p : {d_A, d_B, left(time), j}) line.push_back(p);
+    const Exprs line = any_start.params + Exprs{d_A, d_B, left(time), j};
     const Expr on_line = substitute(fun("any_x_" + body, line), from_rest);
     const Theorem place =
         book.define("x_" + body, params, L + on_line, assumptions, "with " + body + " at");
@@ -89,12 +88,10 @@ void until_the_next(Book& book) {
   const Expr D = L * root_power(j) / (side(j) * U(j));
   shown("distance", "The blocks are then so far apart,",
         chain(is(B - A, later), equation(right(later), D, factors)));
-  const auto speed = [&](Expr of_A, Expr of_B) {
-    return at(book["any_start.speed"], {{V, of_A}, {W, of_B}});
-  };
+  const Theorem speed = book["any_start.speed"];
   shown("time", "and the collision takes place at the time",
         equation(left(time), L * r_B() * U_last(j) / (V * r_A() * sqrt(e) * U(j)),
-                 {time, when, speed(V, 0), speed(0, L), r_e_is}));
+                 {time, when, at(speed, start_with(V, 0)), at(speed, start_with(0, L)), r_e_is}));
   // Places are lines in time.
   const Expr goes_further = lt(0, closing(j + 1));
   Theorems lines, next;
