@@ -6,11 +6,12 @@
 #include "algebra/logic.hpp"
 
 namespace algebra {
-/// `goal` (=, also of matrices, <, <=, not =; several of them, or one that implies or is equivalent to another) as a
-/// linear combination of `facts` (=, <, <=), each monomial an unknown; the combination is found by
-/// Fourier's and Motzkin's elimination. Where they do not suffice: with what is known, d/d = 1,
-/// squares of roots, the axioms of pi, ceilings and arctangents, i < j as i + 1 <= j for
-/// integers, and the sign of the gap as `positive` sees it. Throws Refused where there is none.
+/// `goal` (=, also of matrices, <, <=, not =; several of them, or one that implies or is equivalent
+/// to another) as a linear combination of `facts` (=, <, <=), each monomial an unknown; the
+/// combination is found by Fourier's and Motzkin's elimination. Where they do not suffice: with
+/// what is known, d/d = 1, squares of roots, the axioms of pi, ceilings and arctangents, i < j as i
+/// + 1 <= j for integers, and the sign of the gap as `positive` sees it. Throws Refused where there
+/// is none.
 Theorem linear(Expr goal, const Theorems& facts = {});
 /// `goal` from `relation`, which `linear` shows, times a positive factor.
 Theorem scaled(Expr goal, Expr relation, Expr factor, const Theorems& facts = {});

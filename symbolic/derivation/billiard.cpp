@@ -5,6 +5,7 @@
 
 namespace derivation {
 namespace {
+Theorem lossless(const Book& book, const char* id) { return at(book[id], elastic); }
 /// A collision of two bodies of masses M_1 and M_2 in the plane of the scaled velocities.
 void mirror(Book& book) {
   const Expr s_1 = sqrt(M_1), s_2 = sqrt(M_2);
@@ -14,8 +15,7 @@ void mirror(Book& book) {
                                matrix(2, {(M_1 - M_2) / sum, across, across, (M_2 - M_1) / sum}),
                                {lt(0, M_1), lt(0, M_2)}, "For two bodies, the matrix");
   const Expr m = left(is);
-  const auto elastic = [&](const char* id) { return at(book[id], {{e, 1}}); };
-  const Theorems after{elastic("restitution.v_1"), elastic("restitution.v_2")};
+  const Theorems after{lossless(book, "restitution.v_1"), lossless(book, "restitution.v_2")};
   const Expr along = column({s_1, s_2}), normal = column({s_2, -s_1});
   book.show("line", "leaves the line on which both are at one place,",
             equation(times(m, along), along, {is}));
@@ -30,26 +30,24 @@ void mirror(Book& book) {
 }
 /// The angle of the wedge where nothing is lost: it always is one.
 Theorem kappa_is_cosine(Book& book) {
-  const Theorem threshold = at(book["collapse.threshold"], elastic);
-  const Theorem K_is = at(book["collapse.def_K"], elastic);
+  const Theorem K_is = lossless(book, "collapse.def_K");
   const Expr K = left(K_is), rest = M_C * mass_of_all() / ((M_A + M_C) * (1 + w_B * M_C));
   const Theorem below =
       tautology(lt(substitute(kappa(), elastic), 1),
-                {threshold, linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})});
+                {lossless(book, "collapse.threshold"),
+                 linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})});
   know(below);
-  know(at(book["wedge.acute"], elastic));
-  return turned(at(book["wedge.cosine"], elastic));
+  know(lossless(book, "wedge.acute"));
+  return turned(lossless(book, "wedge.cosine"));
 }
 void unfolded(Book& book) {
   const Expr going = substitute(lt(0, closing(j)), elastic);
   const Exprs assumptions = of_wedge({le(0, j), V_positive, lt(0, L), going});
   book.chapter("unfolded", "The unfolded wedge", assumptions);
-  know(at(book["wedge.signs"], elastic));
+  know(lossless(book, "wedge.signs"));
   const Theorem cosine = kappa_is_cosine(book);
   const Expr h = right(cosine).arg(0);
-  const Theorems lossless = without_losses(book, cosine);
   const auto here = [&](Expr t) { return substitute(t, elastic); };
-  const auto of_motion = [&](const char* id) { return at(book[id], elastic); };
   const Expr all = mass_of_all(), unit = sqrt((M_A + M_C) / all);
   const Theorem radius_is = book.define(
       "radius", {M_A, w_B, M_C, V, L, j}, unit * side(j) * here(apart(j)), assumptions,
@@ -59,7 +57,7 @@ void unfolded(Book& book) {
   const Expr t = turn(j), A = here(at_collision("x_A", j)), B = here(at_collision("x_B", j)),
              C = here(at_collision("x_C", j));
   const Theorem square = book["motion.turn_squared"];
-  const Theorem ball = solved_for(t * C, of_motion("places.met"));
+  const Theorem ball = solved_for(t * C, lossless(book, "places.met"));
   const Theorem C_is = arithmetic(eq(C, (A + B + t * A - t * B) / 2),
                                   {.equations = {{t, ball}, {(A + B) / 2 - C, square}}});
   book.show(
@@ -69,10 +67,10 @@ void unfolded(Book& book) {
                squared_shares(book) + Theorems{radius_is, C_is, square}));
 
   const Theorem takes_place =
-      tautology(lt(0, here(U(j))), {of_motion("wedge.takes_place"), assume(going)});
+      tautology(lt(0, here(U(j))), {lossless(book, "wedge.takes_place"), assume(going)});
   const Expr sine = sin((j + 1) * h);
   know(takes_place);
-  const Theorem blocks = of_motion("places.distance");
+  const Theorem blocks = lossless(book, "places.distance");
   const Exprs by_masses = of_wedge({});
   const auto named = [&](const char* name, Expr of, Expr value, const char* words) {
     return book.define(name, {M_A, w_B, M_C, of}, value, by_masses, words);
@@ -84,7 +82,8 @@ void unfolded(Book& book) {
             equation(power(speed, 2), M_A * power(V, 2) - w_B * power(M_A * V, 2) / all,
                      squared_shares(book) + Theorems{V_is}));
   const Theorems rules =
-      lossless + Theorems{radius_is, solved_for(B, blocks), L_is, V_is, of_motion("places.time")};
+      without_losses(book, cosine) +
+      Theorems{radius_is, solved_for(B, blocks), L_is, V_is, lossless(book, "places.time")};
   const Expr moved = speed * here(at_collision("time", j));
   const Theorem sum = equation(sine, sin(j * h) * cos(h) + cos(j * h) * sin(h), {}, {j * h, h});
   book.show("line",

@@ -19,15 +19,7 @@ struct Forms : Names {
   Theorem from_any_start(const std::string& id) const {
     return cut(below, book["any_start." + id]);
   }
-  /// A theorem of the wedge, as kappa is below 1.
-  Theorem in_angle(const std::string& id, const Substitution& terms = {}) const {
-    return cut(below, at(book["wedge." + id], terms));
-  }
-  /// |- symbol_j = value, not shown
-  Theorem name(const std::string& symbol, Expr value) const {
-    return with({}, symbol, value, domain);
-  }
-  /// The same of further variables, before j.
+  /// |- symbol_j = value, of more variables before j; not shown
   Theorem with(const Exprs& more, const std::string& symbol, Expr value, const Exprs& where) const {
     return defined(symbol, masses_and_e() + more + Exprs{j}, value, where);
   }
@@ -39,7 +31,7 @@ struct Forms : Names {
   }
   /// What the forms share, a positive number where `is_positive`.
   void share(const std::string& symbol, const std::string& words, Expr value, bool is_positive) {
-    shared.push_back(name(symbol, value));
+    shared.push_back(with({}, symbol, value, domain));
     book.show("def_" + symbol, words, under({lt(0, q_e())}, shared.back()));
     if (is_positive) know(algebra::positive(shared.back()));
   }
@@ -171,7 +163,7 @@ void three_body_forms(Book& book) {
   forms.share("last_sine", "and", sine(j), false);
   forms.share("now_sine", "and", sine(j + 1), false);
   forms.share("later_sine", "and", sine(j + 2), false);
-  const Theorems sines = quotients_of_sines(book, turned(forms.in_angle("cosine")));
+  const Theorems sines = quotients_of_sines(book, turned(cut(forms.below, book["wedge.cosine"])));
   for (const Theorem& is : sines) forms.shared = forms.shared + Theorems{is, at(is, {{j, j + 1}})};
   places(forms);
   count_and_time(forms);
