@@ -35,6 +35,14 @@ Theorem velocities_after(Book& book) {
                       equation(v_1, after[0], rules)),
             book.show("v_2", "and", equation(v_2, after[1], rules))});
 
+  const Theorem reverse = instantiate(law, {{u_1, -v_1}, {u_2, -v_2}, {v_1, -u_1}, {v_2, -u_2}});
+  const Expr back_again = right(reverse);
+  const Theorem stays =
+      given(eq(-u_1, -v_1), [&](const Theorem& same) { return linear(eq(v_1, u_1), {same}); });
+  book.show("reversed", "Run backwards in time, a collision is a collision again:",
+            tautology(left(reverse), {reverse, linear(back_again.arg(0), {P}),
+                                      linear(back_again.arg(1), {E}), stays, changes}));
+
   // The converse.
   const Theorem w_1 = assume(eq(v_1, after[0]));
   const Theorem w_2 = assume(eq(v_2, after[1]));

@@ -80,6 +80,25 @@ void conservation(Book& book, const Theorems& steps) {
             "and at Q_n:", proved(eq(b(n - 1) - c(n), -b(n) + c_prime(n))));
 }
 
+/// No other motion obeys the law: velocities v that a collision of the kind leads to are the next
+/// ones.
+void uniqueness(Book& book) {
+  const Theorem general = both({book["contact.v_1"], book["contact.v_2"]});
+  const Theorem block = assume(lt(0, M));
+  const Theorem ball = positive(alpha * M, {block});
+  const auto only = [&](Expr u, Expr w, const Theorem& next) {
+    const Theorem special =
+        cut(ball, instantiate(general, {{M_1, M}, {M_2, alpha * M}, {u_1, u}, {u_2, w}}));
+    const auto same = [&](std::size_t i) {
+      const Theorem t = part(special, i), value = part(next, i);
+      return chain(t, equation(right(t), left(value), {value, block}));
+    };
+    return both({same(0), same(1)});
+  };
+  book.show("only_P", "The law allows no other velocities after P_n",
+            only(a(n - 1), c_prime(n - 1), book["cycle.P"]));
+  book.show("only_Q", "or after Q_n:", only(b(n - 1), c(n), book["cycle.Q"]));
+}
 }  // namespace
 
 void cycle(Book& book) {
@@ -134,6 +153,7 @@ void cycle_matrix(Book& book) {
   const Expr s = sqrt(alpha);
   const Theorems steps{book["cycle.P"], book["cycle.Q"]};
   conservation(book, parts(steps));
+  uniqueness(book);
 
   const Theorem gamma = book["ball.Gamma"];
   const Theorems moved = steps + Theorems{gamma};
