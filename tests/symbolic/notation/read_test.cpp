@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the kernel prints is read back as the same tree.
+// What the kernel prints is read back as the same tree; what is refused by each reader.
 #include "notation/read.hpp"
 
 #include <functional>
+#include <map>
 #include <random>
 
 #include "catch.hpp"
 #include "kernel/names.hpp"
 #include "kernel/print.hpp"
 #include "kernel/theorem.hpp"
+#include "notation/alpha.hpp"
+#include "notation/typed.hpp"
+#include "rows.hpp"
 
 using namespace kernel;
 using notation::read;
@@ -158,35 +162,22 @@ TEST_CASE("a textbook's way of writing") {
   }
 }
 
-TEST_CASE("what is no formula is refused, with its place") {
+TEST_CASE("what is no formula, has two readings or is no mass ratio is refused") {
   const Words w;
-  for (const auto& [words, because] : std::vector<std::pair<std::string, std::string>>{
-           {"", "character 1: a number, a name or a bracket is expected"},
-           {"x +", "character 4: a number, a name"},
-           {"x + unknown", "unknown is not known"},
-           {"x y'", "\"y'\" is not expected"},
-           {"x^2^3", "\"^\" is not expected"},
-           {"x^0", "exponent below 1"},
-           {"x^99999999999", "too large"},
-           {"(x + 1", "\")\" is expected"},
-           {"x = 1 = 2", "\"=\" is not expected"},
-           {"x = 1 and x", "where a formula is needed"},
-           {"sin(x, x)", "another number of arguments"},
-           {"sin", "another number of arguments"},
-           {"a_x", "needs an integer"},
-           {"1/0", "division by 0"},
-           {"[1, 2; 3]", "rows of different lengths"},
-           {"Lambda[3,1]", "no such entry"},
-           {"for every real n: n = 1", "another sort"},
-           {"for every real sin: 1 = 1", "name of a function"},
-           {"x = 1 implies x = 1 implies x = 1", "\"implies\" is not expected"},
-           {"x = 1; x = 2", "\";\" is not expected"},
-           {"x = \xce\xb1", "character 5 belongs to no formula"},
-           {std::string(201, '(') + "x", "brackets more than 200 deep"},
-           {std::string(200001, '('), "more than 200000 characters"},
-           {std::string(10001, '9'), "more than 10000 digits"}}) {
-    INFO(words.substr(0, 50));
-    CHECK_THROWS_WITH(read(words), ContainsSubstring(because));
+  const std::map<std::string, std::function<void(const std::string&)>> readers{
+      {"formula", [](const std::string& words) { read(words); }},
+      {"typed", [](const std::string& words) { notation::read_typed(words); }},
+      {"alpha", [](const std::string& words) { notation::read_alpha(words); }}};
+  auto rows = rows_of("symbolic/notation/refusals.tsv", 3);
+  REQUIRE(rows.size() > 80);
+  rows.push_back({"formula", std::string(201, '(') + "x", "brackets more than 200 deep"});
+  rows.push_back({"formula", std::string(200001, '('), "more than 200000 characters"});
+  rows.push_back({"formula", std::string(10001, '9'), "more than 10000 digits"});
+  rows.push_back({"alpha", std::string(4097, '1'), "4097 characters long"});
+  rows.push_back({"alpha", "\x1b[2J", "not a number: \"?[2J\""});
+  for (const auto& row : rows) {
+    INFO(row[0] << ": " << row[1].substr(0, 50));
+    CHECK_THROWS_WITH(readers.at(row[0])(row[1]), ContainsSubstring(row[2]));
   }
   CHECK(read(std::string(199, '(') + "x" + std::string(199, ')')) == w.x);
   CHECK_FALSE(is_known("unknown"));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What people type: how it is read, and what is refused because it has two readings.
+// What people type: how it is read.
 #include "notation/typed.hpp"
 
 #include "catch.hpp"
+#include "notation/alpha.hpp"
 #include "refusal.hpp"
+#include "rows.hpp"
 
 using namespace notation;
 
@@ -22,108 +24,14 @@ std::string refused(const std::string& typed) {
 }  // namespace
 
 TEST_CASE("Plain text, Unicode and LaTeX are read alike") {
-  const auto [typed, as] = GENERATE(table<std::string, std::string>({
-      {"-x^2", "-x^2"},
-      {"2^-3", "(1/2)^3"},
-      {"2(2+alpha)", "2*(2 + alpha)"},
-      {"2 alpha V", "2*alpha*V"},
-      {"x/y/z", "x/(y*z)"},
-      {"1/2 M_1 u_1^2", "M_1*u_1^2/2"},
-      {"L/V sin(psi)", "L/V*sin(psi)"},
-      {"M1*u1", "M_1*u_1"},
-      {"M₁*u₁+aₜ", "M_1*u_1 + a_t"},
-      {"c'_n + don't", "c'_n + don'*t"},
-      {"c^{\\prime}_n*T_primes", "c'_n*T_primes"},
-      {"V_{\\rm CM}", "V_CM"},
-      {"V_{\\mathrm{CM}} + V_{\\text{CM}} + V_\\mathrm{CM}", "V_CM + V_CM + V_CM"},
-      {"M_{A} + M_{α} + b_{N_B}", "M_A + M_alpha + b_N_B"},
-      {"\\cos n\\psi", "cos(n*psi)"},
-      {"cos 2 theta", "cos(2*theta)"},
-      {"sin^2(x)", "sin(x)^2"},
-      {"-1/2 M_1 u_1^2", "-M_1*u_1^2/2"},
-      {"1/(1+x) [[1, x], [y, 2]]", "(1/(1 + x))*1; (1/(1 + x))*x; (1/(1 + x))*y; (1/(1 + x))*2"},
-      {"log_10^2(x)", "(log(x)/log(10))^2"},
-      {"log2(8)", "log(8)/log(2)"},
-      {"(x-1)/(x+1) y", "(x - 1)/(x + 1)*y"},
-      {"1/(1+x)^2 (y-1)", "(1/(1 + x)^2)*(y - 1)"},
-      {"tg(x)*ctg(x) + arctg(x)", "sin(x)/cos(x)*(cos(x)/sin(x)) + atan(x)"},
-      {"arcsinh(x)", "log(x + sqrt(x^2 + 1))"},
-      {"\\operatorname{arctan}(x) + \\mathrm{sin} x", "atan(x) + sin(x)"},
-      {"1/2 \\left(\\begin{array}{c|c} y & x \\\\ \\end{array}\\right)", "y/2; x/2"},
-      {"\\left[\\begin{matrix} 1 & 2 \\\\ 3 & 4 \\end{matrix}\\right]", "1; 2; 3; 4"},
-      {"|c-2|", "abs(c - 2)"},
-      {"||x|-1|", "abs(abs(x) - 1)"},
-      {"√2/2", "sqrt(2)/2"},
-      {"½x²ⁿ", "x^(2*n)/2"},
-      {"αV", "alpha*V"},
-      {"\\sqrt[3]{x}", "root(x, 3)"},
-      {"\\frac12 x", "x/2"},
-      {"x**2", "x^2"},
-      {"1E3", "1000"},
-      {"0.1", "1/10"},
-      {"\xef\xbb\xbfx", "x"},
-      {"cos\u2061〖𝜓∕2〗 𝑉\u2062𝐋 ＋ 𝟏⁄2", "cos(psi/2)*V*L + 1/2"},
-      {"\\begin{equation*}\\boxed{\\cfrac{x}{y}}\\end{equation*}", "x/y"},
-      {"alpha^(1/3)", "alpha^(1/3)"},
-      {"n(n+1)/2", "n*(n + 1)/2"},
-      {"a - (b - c)", "a - (b - c)"},
-      {"[[1, x], [y, 2]]", "1; x; y; 2"},
-      {"[1, x; y, 2]", "1; x; y; 2"},
-      {"(1, x; y, 2)", "1; x; y; 2"},
-      {"1; x", "1; x"},
-      {"\\frac{1}{1+\\alpha}\\begin{pmatrix} 1-\\alpha & 2 \\\\[4pt] 3 & 4\\end{pmatrix}",
-       "(1/(1 + alpha))*(1 - alpha); (1/(1 + alpha))*2; (1/(1 + alpha))*3; (1/(1 + alpha))*4"},
-  }));
-  CHECK(reading(typed) == as);
-}
-
-TEST_CASE("What has two readings is refused with both, slips are named with their column") {
-  const auto [typed, why] = GENERATE(table<std::string, std::string>({
-      {"sin x^2", "write sin(x^...) or sin(x)^..."},
-      {"sin x y", "write sin(x y...) or sin(x)y..."},
-      {"cos nψ", "write cos(n psi...) or cos(n)psi..."},
-      {"sin^-1(x)", "asin(x) for the inverse function"},
-      {"2\\frac{19}{64}", "2 + 19/64 or 2*19/64"},
-      {"2\\frac12", "2 + 1/2 or 2*1/2"},
-      {"5e−3", "5E-3 for the number"},
-      {"2½", "2+1/2 or 2*1/2"},
-      {"log^-1(x)", "column 4: log^-1 has two readings: write 1/log(x)"},
-      {"1/2(1+alpha)", "above or below the fraction line"},
-      {"e^2-2e+1", "2E+1 for the number, 2*e+1"},
-      {"0x1F", "a hexadecimal number?"},
-      {"0,5", "column 2: unexpected comma; decimals are written 0.5"},
-      {"a(n)", "a_n for a(n)"},
-      {"f'(x)", "column 1: unknown function f'"},
-      {"log_1(x)", "no logarithm to base 1"},
-      {"log_2x(8)", "column 1: unknown function log_2x; write log(x)/log(b)"},
-      {"log_0.5(x)", "column 1: unknown function log_0; write log(x)/log(b)"},
-      {"log2 + 1", "column 1: log2: is log(2) meant?"},
-      {"log([1, 2])", "column 4: log of a matrix"},
-      {"log_sin(x)", "unknown function log_sin"},
-      {"x sin_2(y)", "column 3: unknown function sin_2"},
-      {"T_(m+1)", "column 3: an index is a name or a number"},
-      {"T_{m+1}", "column 5: an index is a name or a number"},
-      {"V_{\\mathrm{CM}", "column 3: the } for a { is missing"},
-      {"", "the expression is empty"},
-      {"(x", "column 1: the ) for this one is missing"},
-      {"x)", "a ( is missing for this )"},
-      {"3 4", "an operator is missing before 4"},
-      {"x = 1", "without ="},
-      {"1..2", "a second decimal point"},
-      {"x\\foo", "unknown command \\foo"},
-      {"x\\begin{pmatrix", "column 2: a } is missing for this \\begin"},
-      {"\\begin}", "column 1: unknown environment"},
-      {"\\begin{pmatrix} 1", "column 1: the ] for this one is missing"},
-      {"\\begin{cases} x & y\\end{cases}", "column 1: unknown environment cases"},
-      {"1 + SQRT(5)", "column 5: unknown function SQRT; is sqrt meant?"},
-      {"2^10001", "an exponent with a number above 10000"},
-      {"0^0", "a power of 0"},
-      {"root(2, 0)", "column 1: division by zero"},
-      {"[[1, 2], 3]", "a row is written [a, b, c]"},
-      {"[1, [2; 3]]", "a matrix inside of a matrix"},
-      {"1 + [1, 2]", "cannot be added"},
-  }));
-  CHECK_THAT(refused(typed), ContainsSubstring(why));
+  const auto rows = rows_of("symbolic/notation/readings.tsv", 2);
+  REQUIRE(rows.size() > 45);
+  for (const auto& row : rows) {
+    INFO(row[0]);
+    CHECK(reading(row[0]) == row[1]);
+  }
+  CHECK(reading("\xef\xbb\xbfx") == "x");
+  CHECK(reading("cos\u2061〖𝜓∕2〗 𝑉\u2062𝐋 ＋ 𝟏⁄2") == "cos(psi/2)*V*L + 1/2");
 }
 
 TEST_CASE("Sizes are bounded from both sides") {
@@ -180,4 +88,22 @@ TEST_CASE("Comparisons come in chains") {
   REQUIRE(read.size() == 2);
   CHECK(read[1].relation == "<=");
   CHECK_THROWS_WITH(read_comparisons("alpha"), ContainsSubstring("a relation is missing"));
+}
+
+TEST_CASE("of mass ratios, decimals and hex floats are the nearest double, p/q is exact") {
+  for (const auto& [words, value] : {std::pair{"0.1", 0.1},
+                                     {"1e-9", 1e-9},
+                                     {"0x1.8p-3", 0.1875},
+                                     {".5", 0.5},
+                                     {"017", 17},
+                                     {"0x10", 16}})
+    CHECK(std::get<double>(read_alpha(words)) == value);
+  CHECK(std::get<double>(read_alpha("5e-324")) > 0);
+  CHECK(std::get<cln::cl_RA>(read_alpha("02/14")) == cln::cl_RA("1/7"));
+  const auto third = std::get<Threshold>(read_alpha("magic:3"));
+  CHECK((third.is_magic && third.k == 3));
+  CHECK_FALSE(std::get<Threshold>(read_alpha("deficient:1000000000000000000")).is_magic);
+  for (std::string words : {"0.1", "1/7", "3/1", "magic:3", "deficient:2", "1e-09", "5e-324"})
+    CHECK(text(read_alpha(words)) == words);
+  CHECK(std::get<cln::cl_RA>(read_alpha("1/" + std::string(4094, '1'))) > 0);
 }
