@@ -46,32 +46,6 @@ TEST_CASE("the book is proved, and says each thing once") {
   CHECK(ids.size() > 90);
 }
 
-TEST_CASE("the main results are what the paper says") {
-  const Book& book = the_book();
-  const auto says = [&](const std::string& id, const std::string& formula) {
-    CHECK(text(book[id].conclusion()) == formula);
-  };
-  says("contact.v_1", "v_1 = ((M_1 - M_2)*u_1 + 2*M_2*u_2)/(M_1 + M_2)");
-  says("cycle.Lambda_product", "Lambda = Gamma_B Gamma_A");
-  says("power.Lambda_n", "Lambda^n = R lambda_3(n*psi) R^T");
-  says("power.a", "a_n = V_CM*(1 + cos(n*psi)/cos(psi/2))");
-  says("counting.N", "N = ceil(2*pi/psi) - 1");
-  says("counting.N_A", "N_A = ceil(pi/psi - 1/2)");
-  says("ratios.N_A_range", "N_A = k if and only if alpha_k <= alpha and alpha < alpha_(k - 1)");
-  says("magic.velocities", "a_k = 0 and b_k = V and c'_k = 0");
-  says("constraints.N_A_last", "c'_(N_A - 1) < a_(N_A - 1) and a_(N_A) <= c'_(N_A)");
-  says("minima.minimum", "b_t(beta_k, V) < b_t");
-  says("small_alpha.psi_bounds",
-       "2*sqrt(2*alpha)*(1 - 5*alpha/12) <= psi and psi < 2*sqrt(2*alpha)");
-  says("multiples.cos", "cos(n*x) = cos_sum_(floor(n/2))");
-  says("orthogonal.rotation", "Q = lambda(2*atan(o_21/(1 + o_11)))");
-}
-
-TEST_CASE("velocities hold for every n under alpha > 0 alone") {
-  for (const char* id : {"power.a", "power.b", "power.c_prime", "power.a_product"})
-    CHECK(the_book()[id].hypotheses() == Exprs{alpha_positive, le(0, n)});
-}
-
 TEST_CASE("wrong formulas are not proved, and what is left over is said") {
   const Book& book = the_book();
   const Theorem p1 = positive(1 + alpha, {assume(alpha_positive)});
