@@ -6,8 +6,11 @@
 // printed: the next step's bound has to hold for that, and parts of one sum that are largest at
 // different points do not hide that it is halved.
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
+#include <regex>
+#include <sstream>
 
 #include "balls/ball.hpp"
 #include "catch.hpp"
@@ -15,7 +18,6 @@
 #include "codegen/exact.hpp"
 #include "codegen/operations.hpp"
 #include "generate/quantities.hpp"
-#include "printed.hpp"
 
 namespace {
 using balls::Ball;
@@ -23,7 +25,61 @@ using cln::cl_RA;
 using codegen::NumberType;
 using kernel::Expr;
 using kernel::Op;
-using test::Printed;
+// Error bounds as they are printed for a reader, read back and evaluated.
+using Printed = std::map<std::string, std::string>;
+
+/// "2^-73.7 |P| + 2^-147.4" with the sizes of values at a point; an unnamed one is that of the
+/// value itself.
+double evaluated(const std::string& bound, const auto& values, double own) {
+  std::istringstream words(bound + " +");
+  double sum = 0;
+  double product = 1;
+  for (std::string word; words >> word;) {
+    if (word == "+") {
+      sum += product;
+      product = 1;
+    } else if (word[0] != '|') {
+      product *= word == "0" ? 0 : std::exp2(std::stod(word.substr(2)));
+    } else {
+      const auto found = values.find(word.substr(1, word.size() - 2));
+      product *= found == values.end() ? own : found->second.size;
+    }
+  }
+  return sum;
+}
+/// The bounds below a heading: "STEP plus", "OUTPUT a", "SIGN distance". A
+/// value that is another, unnamed one times a power of 2 has bounds in terms of
+/// that one's size: by both steps, a share.
+Printed bounds_in(const std::string& errors, const std::string& heading) {
+  Printed r;
+  const std::size_t from = errors.find(heading + "\n");
+  std::istringstream lines(errors.substr(from, errors.find("\n\n", from) - from));
+  static const std::regex single("2\\^(\\S+) \\|(t[0-9]+)\\|");
+  std::smatch term;
+  std::map<std::string, std::string> shares;
+  std::map<std::string, double> exponents;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t colon = line.find(": ");  // a line may be too long for std::regex
+    if (!line.starts_with("  ") || colon == std::string::npos) continue;
+    const std::string name = line.substr(2, colon - 2);
+    const bool is_step = name.find(' ') == std::string::npos;
+    if (!is_step && !name.starts_with("OUTPUT ") && !name.starts_with("SIGN ")) continue;
+    std::string text = line.substr(colon + 2);
+    text.erase(std::min(text.find(';'), text.size()));
+    if (text.starts_with("off by ")) text.erase(0, 7);
+    if (text.size() < 100 && std::regex_match(text, term, single)) {
+      const double exponent = std::stod(term[1]);
+      if (is_step) {
+        const double share = exponents.insert({term[2], exponent}).first->second - exponent;
+        shares[term[2]] = "2^" + std::to_string(share) + " ";
+      }
+      text = shares[term[2]] + text;
+    }
+    r[(is_step ? "STEP " : "") + name] = text;
+  }
+  return r;
+}
+
 constexpr double u = 0x1p-53;
 constexpr double clear = 0x1p23;      // a divisor is tested to be so many times its error
 constexpr double printed_up = 0.933;  // exponents are printed up to the next 0.1
@@ -59,7 +115,7 @@ public:
     const Value found = of(theorem.conclusion().arg(1));
     Value v = named[name.name()] = found;
     if (const auto step = steps.find("STEP " + name.name()); step != steps.end())
-      v.off = std::max(v.off, test::evaluated(step->second, named, v.size) * printed_up);
+      v.off = std::max(v.off, evaluated(step->second, named, v.size) * printed_up);
     named[name.name()] = known[name] = v;
     return found;
   }
@@ -242,7 +298,7 @@ std::map<std::string, double> margins(const codegen::Quantity& q, const codegen:
   const auto seen = [&](const std::string& name, const Value& found, const Point& p) {
     const auto bound = bounds.find(name);
     if (found.off == 0 || bound == bounds.end()) return;
-    const double margin = test::evaluated(bound->second, p.named, found.size) / found.off;
+    const double margin = evaluated(bound->second, p.named, found.size) / found.off;
     double& least = r.insert({name, margin}).first->second;
     least = std::min(least, margin);
   };
@@ -296,7 +352,7 @@ TEST_CASE("the independent checker finds no printed bound too small, and sees ea
       for (const NumberType& type : types) {
         const std::string heading =
             codegen::capital(q.name) + codegen::capital(c.name) + ", " + type.name();
-        const Printed bounds = test::bounds_in(errors, heading);
+        const Printed bounds = bounds_in(errors, heading);
         REQUIRE_FALSE(bounds.empty());
         for (const auto& [name, margin] : margins(q, c, type, bounds)) {
           INFO(heading << ", " << name << ": printed over found: " << margin);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // generated/ is what the theorems give; the manifest tells of every header, and each header says
-// what the manifest does; a header with the wanted outputs alone.
+// what the manifest does.
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -80,19 +80,6 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
     INFO(path);
     CHECK(headers.count(path) == 1);
   }
-}
-TEST_CASE("a header of wanted outputs has those, and pays for nothing else") {
-  const std::string psi = generate::selected("closed", {"psi"});
-  CHECK_THAT(psi, ContainsSubstring("angle_closed("));
-  CHECK_THAT(psi, !ContainsSubstring("cos(") && !ContainsSubstring("velocities"));
-  const std::string a = generate::selected("tangent", {"a", "c_t"});
-  for (const char* part : {"{\n  Number a;\n};", "{\n  Number c_t;\n};", "velocities_tangent("})
-    CHECK_THAT(a, ContainsSubstring(part));
-  for (const char* part : {"w_sine", "along", "b_form", "rho", "angle_tangent"})
-    CHECK_THAT(a, !ContainsSubstring(part));
-  CHECK_THAT(generate::selected("restitution", {"N_any"}), ContainsSubstring("count_restitution("));
-  CHECK_THAT(generate::selected("exact", {"a"}), !ContainsSubstring("b_before"));
-  CHECK_THAT(generate::selected("exact", {"rho"}), ContainsSubstring("alpha > 0, N_A(alpha) from"));
 }
 TEST_CASE("a form that there is none of is refused, as are definitions without outputs") {
   CHECK_THROWS_WITH(generate::selected("open", {"a"}), ContainsSubstring("allowed: closed"));
