@@ -180,8 +180,7 @@ cl_R function(const std::string& f, const Vector& x) {
     const Matrix m = matrix_function("Lambda", x);
     return acos((m[0][0] + m[1][1] + m[2][2] - 1) / 2);
   }
-  if (f == "U") return chebyshev(x[0], whole(x[1]));
-  if (f == "U_last") return x[1] == 0 ? cl_R(0) : chebyshev(x[0], whole(x[1]) - 1);
+  if (f == "U" || f == "U_last") return chebyshev(x[0], whole(x[1]) - (f == "U" ? 0 : 1));
   if (f == "r_A") return root(x[0] / (x[0] + x[1]));
   if (f == "r_B") return root(1 / (1 + x[0] * x[1]));
   if (f == "kappa" || f == "h_e" || f == "y_e") {
