@@ -34,13 +34,6 @@ std::string random_chain(std::uint64_t seed, bool only_halves) {
          "]\nvelocities = [" + velocities + "]\n" + wall + restitution + "max_events = 12\n";
 }
 
-/// Four bodies a length apart, the first of which moves.
-std::string four_equal(const std::string& e) {
-  return "kind = 'chain'\nmasses = [1, 1, 1, 1]\npositions = [0, 1, 2, 3]\n"
-         "velocities = [1, 0, 0, 0]\nrestitution = '" +
-         e + "'\n";
-}
-
 }  // namespace
 
 TEST_CASE("doubles and exact numbers have the same collisions", "[check]") {
@@ -64,101 +57,6 @@ TEST_CASE("doubles and exact numbers have the same collisions", "[check]") {
     in_doubles += !rows.empty() && std::holds_alternative<double>(rows[0].time) ? 1 : 0;
   }
   CHECK((in_doubles > 250 && in_doubles < 450));
-}
-
-TEST_CASE("rounding at the start hides no collision", "[exam]") {
-  const std::string chain = "kind = 'chain'\nmasses = [1, 1]\npositions = [0, 1]\nvelocities = ";
-  const Result late = result_of(chain + "['1/3', 0.3333333333333333]");
-  CHECK(late.plan.is_exact);
-  CHECK(late.events == 1);
-  CHECK(result_of(chain + "[0.3333333333333333, '1/3']").events == 0);
-  CHECK_FALSE(result_of(chain + "[0.25, 0.25]").plan.is_exact);
-  CHECK_FALSE(result_of(chain + "['magic:3', 0]").is_undecided);
-  CHECK_FALSE(result_of("kind = 'chain'\nmasses = [1, 2, 3, 4]\nV = 'magic:3'\nmax_events = 3")
-                  .is_undecided);
-}
-
-TEST_CASE("a number just between two doubles is one of them", "[exam]") {
-  // (1 + alpha)/2, and with equal masses (1 - e)/2 and (1 + e)/2, have 54 bits.
-  for (const char* text :
-       {"alpha = 0.12\nmax_events = 2", "alpha = 0.00012", "alpha = 1\nrestitution = 0.07"})
-    CHECK(rows_of(scene_of(text)).size() > 1);
-}
-
-TEST_CASE("where a run stops it says so", "[exam]") {
-  CHECK(result_of("alpha = 0.12\nmax_events = 6").status == Status::complete);
-  const Result early = result_of("alpha = 0.12\nuntil = 1");
-  CHECK((early.events == 3 && early.status == Status::limited));
-  CHECK_FALSE(early.is_undecided);
-  const Result at_until = result_of("alpha = '1/3'\nuntil = '2/3'");
-  CHECK((at_until.events == 2 && at_until.plan.is_exact));
-  CHECK(result_of("alpha = '1/3'\nuntil = '1999999999/3000000000'").events == 1);
-}
-
-TEST_CASE("a collision at the time `until` belongs to the run, by theorem too", "[exam]") {
-  const auto counts = [](const std::string& scene, const std::string& until) {
-    const Result result = result_of("kind = 'chain'\n" + scene + "until = " + until);
-    CHECK(result.plan.model == "transfers");
-    CHECK_FALSE(result.is_undecided);
-    return result.events;
-  };
-  const std::string one_wall =
-      "blocks = 5\nballs = ['magic:1', 'magic:2', 'magic:2', 'magic:1']\n"
-      "V = '1/3'\ngap = 4\nwalls = 'left'\n";
-  CHECK(counts(one_wall, "60") == 12);
-  CHECK(counts(one_wall, "'59999999999999999999/1000000000000000000'") == 11);
-  // The first collision of a trio, its middle one, and the wall.
-  const std::string walls = "blocks = 2\nballs = 'magic:3'\nwalls = 'both'\n";
-  for (const auto& [time, events] :
-       {std::pair{1, 1}, {2, 4}, {3, 7}, {4, 10}, {5, 13}, {7, 14}, {9, 15}}) {
-    const std::string before = "'" + std::to_string(time) + "-1/10^30'";
-    CHECK(counts(walls, std::to_string(time)) == events);
-    CHECK(counts(walls, before) == events - 1);
-  }
-}
-
-TEST_CASE("what cools below doubles is limited, not complete", "[exam]") {
-  const Result cold = result_of(four_equal("7/100"));
-  CHECK(cold.status == Status::limited);
-  CHECK_THAT(cold.plan.reason, ContainsSubstring("exact numbers become too long"));
-  for (const Number& v : cold.terminal) CHECK(double_of(v));
-}
-
-TEST_CASE("exact numbers that grow too long are no answer", "[exam]") {
-  const std::string text = four_equal(std::string(1000, '1') + "/1" + std::string(1002, '0'));
-  CHECK_THROWS_WITH(
-      result_of(text, true),
-      ContainsSubstring("exact numbers become too long; possible with --max-events 19"));
-  CHECK(result_of(text + "max_events = 3", true).events == 3);
-}
-
-TEST_CASE("what a body at the other end receives", "[exam]") {
-  const std::string text = "alpha = 0.12\npositions = [0, 1, 1]\nvelocities = ";
-  const Result mirrored = result_of(text + "[0, 0, -1]");
-  CHECK(number(mirrored.transmitted) == number(result_of("alpha = 0.12").transmitted));
-  CHECK_THAT(number(mirrored.transmitted), WithinAbs(0.9913169341460811, 1e-15));
-  CHECK(scene_of(text + "[0, 0, -1]").receiver() == std::size_t(0));
-  for (const char* other : {"[1, 0, -1]", "[0, 1, 0]", "[0, 0, 0]"})
-    CHECK_FALSE(scene_of(text + other).receiver());
-}
-
-TEST_CASE("what doubles do not hold is no number", "[exam]") {
-  const auto energy = [](const std::string& V) {
-    return double_of(result_of("kind = 'chain'\nmasses = [1, 1, 2]\nvelocities = [0.5, 0, " + V +
-                               "]\npositions = [0, 1, 2]")
-                         .energy);
-  };
-  CHECK(energy("1e100") == 1e200);
-  CHECK_FALSE(energy("1e200"));
-  for (const char* V : {"1e200", "1e-200"}) {
-    const Result result = result_of("alpha = 0.12\nV = " + std::string(V));
-    CHECK_FALSE(double_of(result.energy));
-    CHECK(number(result.transmitted) > 0.99);
-  }
-  CHECK_FALSE(double_of(result_of("alpha = '2^10000'").terminal[1]));
-  CHECK_THROWS_WITH(result_of("kind = 'chain'\nmasses = [1, 1e-9, 1]\nvelocities = [1e308, 0, 0]\n"
-                              "positions = [0, 1, 2]\nleft_wall = 0"),
-                    ContainsSubstring("the velocities after collision 1 do not fit a double"));
 }
 
 TEST_CASE("a scene with a few wrong bytes is a scene or is refused", "[check]") {
