@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What rows cost on each instruction set beside naive calls (report times public calls): least time
-// of five runs, the least and largest ratio of runs, in each of which both are timed side by side.
+// What results cost beside one naive call that shares its trigonometry: least time of five runs,
+// and the least and largest ratio of the runs, in each of which both are timed side by side.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
+#include "magicmass/numbers/fast.hpp"
 #include "magicmass/numbers/kernels.hpp"
-#include "report/naive.hpp"
 #include "src/magicmass/numbers/families.hpp"
 
 namespace {
@@ -19,6 +19,27 @@ using namespace magicmass;
 // No multiple of 512: else all columns would fall on the same places of the cache.
 constexpr std::size_t rows = 3840;
 constexpr int passes = 200;
+constexpr double pi = 3.14159265358979323846;
+
+/// The paper's formulas typed in, V = 1: the baseline, not to be trusted near thresholds.
+[[gnu::noinline]] Velocities naive_velocities(double alpha, std::int64_t n) {
+  const double psi = 2 * std::atan(std::sqrt(alpha * (2 + alpha)));
+  const double V = 1 / (2 + alpha);
+  const double r = std::sqrt(2 * (1 + alpha) / alpha);
+  const auto k = double(n);
+  return {V * (1 + (1 + alpha) * std::cos(k * psi)),
+          V * (1 - (1 + alpha) * std::cos((k + 0.5) * psi)),
+          V * (1 + r * std::sin((k - 0.25) * psi)), V * (1 - r * std::sin((k + 0.25) * psi))};
+}
+[[gnu::noinline]] std::optional<Terminal> naive_terminal(double alpha) {
+  const double psi = 2 * std::atan(std::sqrt(alpha * (2 + alpha)));
+  const double V = 1 / (2 + alpha);
+  const double N_A = std::ceil(pi / psi - 0.5);
+  const double N_B = std::ceil(pi / psi - 1);
+  const double a = V * (1 + (1 + alpha) * std::cos(N_A * psi));
+  const double b = V * (1 - (1 + alpha) * std::cos((N_B + 0.5) * psi));
+  return Terminal{{std::int64_t(N_A), std::int64_t(N_B)}, a, b, (1 - a - b) / alpha, b * b};
+}
 
 struct Data : testing::Table {
   std::vector<double> alpha = std::vector<double>(rows);
@@ -34,19 +55,17 @@ struct Data : testing::Table {
   }
 };
 /// One pass of single velocities, or of terminal ones.
-auto velocities(Data& d) {
-  return [&d] {
+template <class F>
+auto singly(Data& d, F of) {
+  return [&d, of] {
     for (std::size_t i = 0; i < rows; ++i) {
-      const Velocities v = report::naive::velocities(d.alpha[i], d.n[i]);
-      d.sum += v.a + v.b + v.c + v.c_prime;
-    }
-  };
-}
-auto terminal(Data& d) {
-  return [&d] {
-    for (const double alpha : d.alpha) {
-      const Terminal t = report::naive::terminal(alpha);
-      d.sum += t.a_t + t.b_t + t.c_t + double(t.counts.N_A + t.counts.N_B);
+      if constexpr (requires { of(0.5, std::int64_t{1}); }) {
+        const Velocities v = of(d.alpha[i], d.n[i]);
+        d.sum += v.a + v.b + v.c + v.c_prime;
+      } else {
+        const std::optional<Terminal> t = of(d.alpha[i]);
+        d.sum += t->a_t + t->b_t + t->c_t + double(t->counts.N_A + t->counts.N_B);
+      }
     }
   };
 }
@@ -57,8 +76,9 @@ double nanoseconds(F pass) {
   const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
   return time.count() / double(rows);
 }
+/// `speed` is printed where more is better, else the share of naive's time.
 template <class Naive, class Ours>
-void compare(const std::string& name, Naive naive, Ours ours) {
+void compare(const std::string& name, Naive naive, Ours ours, bool is_speed) {
   double least[2] = {1e30, 1e30};
   double ratio[2] = {1e30, 0};
   for (int run = 0; run < 5; ++run) {
@@ -68,16 +88,18 @@ void compare(const std::string& name, Naive naive, Ours ours) {
       of_run[1] = std::min(of_run[1], nanoseconds(ours));
     }
     for (int k : {0, 1}) least[k] = std::min(least[k], of_run[k]);
-    ratio[0] = std::min(ratio[0], of_run[0] / of_run[1]);
-    ratio[1] = std::max(ratio[1], of_run[0] / of_run[1]);
+    const double r = is_speed ? of_run[0] / of_run[1] : of_run[1] / of_run[0];
+    ratio[0] = std::min(ratio[0], r);
+    ratio[1] = std::max(ratio[1], r);
   }
-  std::printf("%-34s %6.1f ns, naive %5.1f ns: times faster %.2f (%.2f to %.2f)\n", name.c_str(),
-              least[1], least[0], least[0] / least[1], ratio[0], ratio[1]);
+  const double r = is_speed ? least[0] / least[1] : least[1] / least[0];
+  std::printf("%-34s %6.1f ns, naive %5.1f ns: %s %.2f (%.2f to %.2f)\n", name.c_str(), least[1],
+              least[0], is_speed ? "times faster" : "of its time", r, ratio[0], ratio[1]);
 }
 void everyday(const numbers::Kernels& table) {
   Data d(1e-4, 1);
-  const auto v = velocities(d);
-  const auto t = terminal(d);
+  const auto v = singly(d, naive_velocities);
+  const auto t = singly(d, naive_terminal);
   std::printf("alpha log-uniform in 1e-4..1, %s\n", table.name);
   numbers::Open open;
   auto& o = d.values;
@@ -92,14 +114,40 @@ void everyday(const numbers::Kernels& table) {
               table.velocity_rows[tier](
                   numbers::longest_block,
                   {&d.alpha[i], &d.n[i], &o[0][i], &o[1][i], &o[2][i], &o[3][i]}, open);
-            }));
+            }),
+            true);
     compare(of_tier + "terminal", t, each_block([&, tier](std::size_t i) {
               table.terminal_rows[tier](numbers::longest_block,
                                         {&d.alpha[i], &d.counts[0][i], &d.counts[1][i], &o[4][i],
                                          &o[5][i], &o[6][i], &o[7][i]},
                                         open);
-            }));
+            }),
+            true);
   }
+}
+void public_calls() {
+  Data d(1e-4, 1);
+  const auto v = singly(d, naive_velocities);
+  const auto t = singly(d, naive_terminal);
+  using Of = Velocities (*)(double, std::int64_t);
+  using End = std::optional<Terminal> (*)(double);
+  std::printf("alpha log-uniform in 1e-4..1, public calls, %s\n", numbers::kernels().name);
+  compare("naive itself", v, v, false);
+  compare("fast velocities", v, singly(d, Of(fast::velocities)), false);
+  compare("fast terminal", t, singly(d, End(fast::terminal)), false);
+  compare("accurate velocities", v, singly(d, Of(accurate::velocities)), false);
+  compare("accurate terminal", t, singly(d, End(accurate::terminal)), false);
+  const auto arrays = [&](const std::string& tier, auto velocities, auto terminal) {
+    const auto of_v = [&] { velocities(d.alpha, d.n, d.velocities()); };
+    const auto of_t = [&] { terminal(d.alpha, d.terminal()); };
+    compare("arrays of " + tier + " velocities", v, of_v, true);
+    compare("arrays of " + tier + " terminal", t, of_t, true);
+  };
+  using Rows =
+      void (*)(std::span<const double>, std::span<const std::int64_t>, const VelocityColumns&);
+  using Ends = void (*)(std::span<const double>, const TerminalColumns&);
+  arrays("fast", Rows(fast::velocities), Ends(fast::terminal));
+  arrays("accurate", Rows(accurate::velocities), Ends(accurate::terminal));
   if (d.sum == 1) std::puts("");
 }
 /// Time of arrays of terminal velocities where counts are large, and rows that Accurate leaves.
@@ -130,6 +178,7 @@ void far_ranges() {
 }  // namespace
 
 int main() {
+  public_calls();
   for (const char* name : {"avx512", "avx2", "baseline"}) {
     if (const numbers::Kernels* table = numbers::kernels_named(name)) everyday(*table);
   }
