@@ -39,8 +39,13 @@ int Builder::add(Node n) {
     if (numbers != Numbers::field) throw;
     n.range = {-infinity, infinity};  // a field's numbers are of any size
   }
+  const bool is_product = n.op == Op::product || n.op == Op::exact_product;
+  if (n.range.least() > 0)
+    n.least = n.range.least();
+  else if (is_product)
+    n.least = program[n.of[0]].least * program[n.of[1]].least;
   const double most = largest_size(numbers);
-  const bool may_underflow = n.range.least() > 0 && n.range.least() < 1 / most;
+  const bool may_underflow = n.least > 0 && n.least < 1 / most;
   if (!(n.range.size() <= most) || may_underflow)
     throw Refused("a value of operation " + std::to_string(int(n.op)) + " may over- or underflow");
   program.nodes.push_back(n);
@@ -87,7 +92,7 @@ Interval Builder::range_of(const Node& n) const {
   }
 }
 
-int Builder::input(const std::string& name, bool is_whole, Interval range) {
+int Builder::input(const std::string& name, bool is_whole, Interval range, bool may_be_zero) {
   if (numbers == Numbers::doubles && is_whole && range.size() > largest_whole)
     throw Refused(name + " may be above 2^51");
   return add({.op = Op::input,
@@ -95,7 +100,8 @@ int Builder::input(const std::string& name, bool is_whole, Interval range) {
               .is_whole = is_whole,
               .name = name,
               .formula = name,
-              .range = range});
+              .range = may_be_zero ? Interval{0, range.high} : range,
+              .least = range.least()});
 }
 int Builder::constant(const cln::cl_RA& value, bool of_pi) {
   const bool is_exact = !is_plain() && !of_pi && is_double(value);

@@ -32,7 +32,7 @@ public:
   int build(kernel::Expr e);
   Interval range(kernel::Expr e) { return program[build(e)].range; }
 
-  int input(const std::string& name, bool is_whole, Interval range);
+  int input(const std::string& name, bool is_whole, Interval range, bool may_be_zero = false);
   int constant(const cln::cl_RA& value, bool of_pi = false);
   int scaled(int x, double power_of_2);
   int sum(int x, int y);

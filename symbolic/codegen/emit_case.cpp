@@ -34,15 +34,15 @@ private:
   Program p;
   std::string name;
   Analysis accurate;
-  Words bounds_of;  // outputs and signs, as C++
-  bool has_bounds = false;
+  Words bounds_of;        // outputs and signs, as C++
+  Words rows = Words(4);  // constants of those, as Tier::number says
+  std::size_t width = 0;  // of a row
 
   bool is_tested(const Result& r) const { return r.kind != Result::real || q.is_tested; }
   void line(const std::string& code) { result.header += code + "\n"; }
 
   void bounds() {
     Plan plan;
-    std::string specialised;
     for (const NumberType& t : number_types()) {
       const bool is_wide = !t.is_pair();
       const Program program = is_wide ? lower(q, c, Numbers::wide) : p;
@@ -57,22 +57,17 @@ private:
       if (t.name() == "Accurate") {
         accurate = a;
         bounds_of = here;
-        has_bounds = !constants.empty();
+        width = constants.size();
       }
       if (bounds_of != here) {
         throw Refused("bounds of " + name + " differ in form for " + t.name() + ": " +
                       codegen::joined(here, "; "));
       }
-      Words printed;
-      for (double x : constants) printed.push_back(hex(is_wide ? x / t.u : x));
-      const std::string size = "[" + std::to_string(printed.size()) + "] = {";
-      if (specialised.empty())
-        specialised =
-            "template <class Tier> inline constexpr double " + name + "Bounds" + size + "};\n";
-      specialised += "template <> inline constexpr double " + name + "Bounds<" + t.name() + ">" +
-                     size + codegen::joined(printed, ", ") + "};\n";
+      Words row;
+      for (double x : constants) row.push_back(hex(is_wide ? x / t.u : x));
+      rows[is_wide ? 3 : std::size_t(t.tier - tiers().data())] =
+          "      {" + codegen::joined(row, ", ") + "}";
     }
-    if (has_bounds) result.header += specialised;
   }
   void describe(const Program& program, const NumberType& t, const Analysis& a) {
     std::string& e = result.errors;
@@ -92,6 +87,7 @@ private:
   std::set<int> members() const {
     std::set<int> found;
     const auto keep = [&](int k, int stage) {
+      if (p[k].name.starts_with('-')) k = p[k].of[0];
       const Op op = p[k].op;
       if (p[k].stage < stage && op != Op::input && op != Op::constant) found.insert(k);
     };
@@ -124,8 +120,10 @@ private:
     line(fields("T", exact));
     line(fields("R", results));
     if (!numbers.empty()) line(fields("N", numbers));
-    if (has_bounds)
-      line("  static constexpr const double* E = " + name + "Bounds<typename Tier::Bounds>;");
+    if (width > 0)
+      line("  static constexpr double bounds[4][" + std::to_string(width) +
+           "] = {  // of Fast, Accurate, Slow, Ziv\n" + codegen::joined(rows, ",\n") +
+           "};\n  static constexpr const double* E = bounds[Tier::number];");
     inputs_and_outputs();
     for (int stage = 1; stage <= 3; ++stage) stage_function(stage, kept);
     line("};");
@@ -138,21 +136,19 @@ private:
     for (const Input& i : q.inputs) {
       const std::string x = i.name();
       const Interval r = range_of(i, c, false);
-      const std::string load = std::string("arithmetic::load<arithmetic::") +
-                               (i.is_whole() ? "SimdMask" : "Simd") + ">(columns." + x + " + row)";
+      const std::string load = std::string("load<") + (i.is_whole() ? "SimdMask" : "Simd") +
+                               ">(columns." + x + " + row)";
       set.push_back(x + (i.is_whole() ? "(N::whole(in." : "(N::all(in.") + x + "))");
-      loads +=
-          "    " + x + " = " + (i.is_whole() ? "arithmetic::to_real(" + load + ")" : load) + ";\n";
+      loads += "    " + x + " = " + (i.is_whole() ? "to_real(" + load + ")" : load) + ";\n";
       in_case += " & (" + x + " >= " + hex(r.low) + ") & (" + x + " <= " + hex(r.high) + ")";
-      if (i.is_whole()) in_case += " & (arithmetic::to_whole(" + x + ") == " + load + ")";
+      if (i.is_whole()) in_case += " & (to_whole(" + x + ") == " + load + ")";
     }
     for (const Result& r : p.results) {
       const bool is_whole = r.kind == Result::whole;
       if (!is_whole && r.kind != Result::real) continue;
       const std::string whole = "to_whole(" + as_plain(p, r.node) + ")";
       values.push_back(is_whole ? "N::" + whole : r.name);
-      stores += "    arithmetic::store(columns." + r.name + " + row, " +
-                (is_whole ? "arithmetic::" + whole : r.name) + ");\n";
+      stores += "    store(columns." + r.name + " + row, " + (is_whole ? whole : r.name) + ");\n";
     }
     line("  " + name + "() = default;");
     line(inlined + "explicit " + name + "(const " + Q +
@@ -162,9 +158,9 @@ private:
     if (!q.has_arrays || &c != &q.cases[0]) return;
     const std::string columns = "const " + Q + "Columns& columns, ";
     result.header += inlined + "void load_inputs(" + columns + "std::size_t row) {\n" + loads +
-                     "  }\n" + inlined + "arithmetic::SimdMask is_in_case([[maybe_unused]] " +
-                     columns + "[[maybe_unused]] std::size_t row) const {\n    return " +
-                     in_case.substr(3) + ";\n  }\n" + inlined + "void store_outputs(" + columns +
+                     "  }\n" + inlined + "SimdMask is_in_case([[maybe_unused]] " + columns +
+                     "[[maybe_unused]] std::size_t row) const {\n    return " + in_case.substr(3) +
+                     ";\n  }\n" + inlined + "void store_outputs(" + columns +
                      "std::size_t row) const {\n" + stores + "  }\n";
   }
   void stage_function(int stage, const std::set<int>& kept) {
@@ -173,7 +169,8 @@ private:
     std::set<int> paired;
     for (int k = 0; k < p.size(); ++k) {
       const Node& n = p[k];
-      if (n.stage != stage || n.op == Op::input || n.op == Op::constant) continue;
+      const bool has_line = n.op != Op::input && n.op != Op::constant && n.name[0] != '-';
+      if (n.stage != stage || !has_line) continue;
       if (!n.formula.empty()) line("    // " + n.formula);
       const bool is_function = n.op == Op::sine || n.op == Op::cosine;
       if (is_function && paired.insert(n.of[0]).second) line("    " + sine_and_cosine(p, n));
@@ -205,7 +202,7 @@ private:
   std::string rounded(const Result& r, const std::string& x, std::size_t i) const {
     if (p[r.node].is_exact) return "N::to_result(" + as_plain(p, r.node) + ")";
     if (!is_tested(r)) return "rounded(" + x + ")";
-    return "arithmetic::rounded_by<Tier>(" + x + ", " + bound_of(i) + ", doubt)";
+    return "rounded_by<Tier>(" + x + ", " + bound_of(i) + ", doubt)";
   }
   std::string bound_of(std::size_t i) const {
     const std::string& code = bounds_of[i];
@@ -231,9 +228,10 @@ std::string condition(const Quantity& q, const Case& c) {
   for (const Input& i : q.inputs) {
     const std::string v = "in." + i.name();
     const std::string value = i.is_whole() ? "double(" + v + ")" : v;
-    parts.push_back(value + " >= " +
+    const std::string zero = i.may_be_zero ? "(" + value + " == 0 || " : "";
+    parts.push_back(zero + value + " >= " +
                     range_in_code(range_of(i, c, false), range_of(i, c, true), "is_wide",
-                                  " && " + value + " <= "));
+                                  (zero.empty() ? "" : ")") + (" && " + value) + " <= "));
   }
   return joined(parts, " && ");
 }

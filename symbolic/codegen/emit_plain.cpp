@@ -121,26 +121,26 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   const std::string outputs = joined(all, ", ");
   const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
   const std::string theorems = joined(ids_of(q.cases, ids), ", ");
-  const std::string head = "template <class Number>\n";
-  if (!is_matrix) e.header += head + "struct " + structure + " {\n  Number " + outputs + ";\n};\n";
-  e.header +=
-      "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
+  if (!is_matrix)
+    e.header +=
+        "template <class Number>\nstruct " + structure + " {\n  Number " + outputs + ";\n};\n";
+  const bool may_throw = branches.starts_with("  if (");
+  e.header += "/// " + q.name + of_paper + ": " + outputs + ". Domain: " +
+              (may_throw ? "as the error at its end says" : joined(domains, "; or ")) + ".\n";
   if (!theorems.empty()) e.header += "/// Theorems: " + theorems + ".\n";
   e.header += "/// Operations: " + joined(counts, "; or ") + ".\n";
   if (!ceilings.empty())
     e.header +=
         "/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
         joined(ceilings, ", ") + ".\n";
-  e.header += head +
+  e.header += "template <class Number> requires(!std::integral<Number>)  // 1.0, not 1\n" +
               (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
                          : structure + "<Number>") +
               " " + name + "(" + joined(parameters, ", ") + ") {\n";
-  e.header +=
-      "  static_assert(!std::integral<Number>, \"1.0, not 1: integers have no fractions\");\n";
   if (!functions.empty())
     e.header += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
   const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
-  if (branches.starts_with("  if ("))
+  if (may_throw)
     branches += "  throw std::domain_error(\"" + name + ": allowed: " + between +
                 joined(domains, "; or " + between) + "\");\n";
   e.header += branches + "}\n";
@@ -180,11 +180,11 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
             "functions; each operation is rounded as the type rounds. No error bound is derived: "
             "where terms cancel, the result has their absolute error, and few right digits where "
             "it is far below them. Outside of its domain a function throws std::domain_error.";
-  result.header =
-      broken(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
-                     includes) +
-             "\nnamespace magicmass::generated {\n" + result.header +
-             "}  // namespace magicmass::generated\n");
+  result.header = broken(
+      opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers + "",
+              includes) +
+      "\nnamespace magicmass::generated {\n" + result.header +
+      "}  // namespace magicmass::generated\n");
   return result;
 }
 }  // namespace codegen

@@ -45,7 +45,7 @@ public:
     check_close(k);
     for (const SizeFact& fact : p.facts)
       if (std::max(fact.small, fact.large) == k) use_fact(fact);
-    if (n.is_exact) return "";
+    if (n.is_exact || n.name.starts_with('-')) return "";
     const std::string low = t.is_pair() ? "; low part " + as_power_of_2(here.loose) : "";
     return n.name + ": off by " + in_words(p, here.off) + low;
   }

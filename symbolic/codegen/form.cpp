@@ -164,9 +164,9 @@ std::string in_code(const Program& p, const Form& f, std::vector<double>& consta
     (has_it ? with : without)[s] = k;
   }
   const std::string inner = in_code(p, with, constants);
-  const std::string name = p[best].is_exact ? p[best].name : "leading(" + p[best].name + ")";
+  const std::string size = p[best].is_exact ? "N::magnitude_of(" : "size_of(";
   const std::string product =
-      "N::magnitude_of(" + name + ") * " + (with.size() > 1 ? "(" + inner + ")" : inner);
+      size + p[best].name + ") * " + (with.size() > 1 ? "(" + inner + ")" : inner);
   return without.empty() ? product : product + " + " + in_code(p, without, constants);
 }
 }  // namespace codegen

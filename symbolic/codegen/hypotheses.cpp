@@ -68,7 +68,8 @@ std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
     const auto end = [&](double x) { return i.is_whole() ? kernel::digits(exact(x)) : hex(x); };
     const bool is_any = is_exact && !i.is_whole();
     const std::string any = r.low > 0 ? " > 0" : " >= 0";
-    parts.push_back(in_words(i) + (is_any ? any : " from " + end(r.low) + " to " + end(r.high)));
+    const std::string from = i.may_be_zero ? " 0 or from " : " from ";
+    parts.push_back(in_words(i) + (is_any ? any : from + end(r.low) + " to " + end(r.high)));
   }
   for (const Condition& g : c.guards)
     parts.push_back(g.name + " between " + hex(g.range.low) + " and " + hex(g.range.high));

@@ -26,7 +26,9 @@ public:
       const bool is_variable = i.variable.op() == kernel::Op::Var;
       if (!is_plain() && !(range.low >= 0)) throw Refused(name + " may be negative");
       if (!is_plain() && !is_variable) throw Refused(name + " is no variable");
-      nodes[i.variable] = input(i.name(), i.is_whole(), range);
+      if (i.may_be_zero && (is_plain() || q.has_arrays))
+        throw Refused(name + " may be 0 in evaluators of single numbers alone");
+      nodes[i.variable] = input(i.name(), i.is_whole(), range, i.may_be_zero);
     }
     for (const Condition& w : c.where) {
       const auto is_it = [&](const Input& i) { return i.variable.name() == w.name; };

@@ -117,7 +117,7 @@ NumberType::OfPolynomial NumberType::polynomial(const Polynomial& p, double size
 /// t p(z - centre): the difference of high parts is exact, that of the low ones is one rounding.
 Loss NumberType::arc_tangent(double t, double z, double z_off) const {
   if (!is_pair()) return {u, 0};
-  const Polynomial& p = (*tier)["ArcTangent"];
+  const Polynomial& p = (*tier)["arc_tangent"];
   const double low = (u * p.centre + z * p.top) * and_more;
   const OfPolynomial q = polynomial(p, p.centre, low);
   const Loss last = product(t, q.loose);
@@ -127,8 +127,8 @@ Loss NumberType::arc_tangent(double t, double z, double z_off) const {
 /// x p(x^2) and p(x^2), |low part of x| <= x |x|.
 NumberType::SineCosine NumberType::small_sine_cosine(double x) const {
   if (!is_pair()) return {{u, 0}, {u, 0}, 0, 0, 0};
-  const Polynomial& s = (*tier)["SmallSine"];
-  const Polynomial& c = (*tier)["SmallCosine"];
+  const Polynomial& s = (*tier)["small_sine"];
+  const Polynomial& c = (*tier)["small_cosine"];
   const Loss square = product(x, x);
   const OfPolynomial of_s = polynomial(s, s.top, square.loose * s.top);
   const OfPolynomial of_c = polynomial(c, c.top, square.loose * c.top);
@@ -146,8 +146,8 @@ NumberType::SineCosine NumberType::small_sine_cosine(double x) const {
 /// turn makes sine and cosine of each other, so the cosine may be -y p(y^2), the sine not.
 NumberType::SineCosine NumberType::sine_cosine(double x) const {
   if (!is_pair()) return {{u, 0}, {u, 0}, 0, 0, 0};
-  const Polynomial& s = (*tier)["Sine"];
-  const Polynomial& c = (*tier)["Cosine"];
+  const Polynomial& s = (*tier)["sine"];
+  const Polynomial& c = (*tier)["cosine"];
   const double spill = (x * 2.3562 + 0x1p-53) * and_more;
   const double angle = (u * spill + 0x1p-107) / 0.785 * and_more;
   const double y = std::sqrt(s.top);

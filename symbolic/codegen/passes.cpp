@@ -66,8 +66,15 @@ Program named(const Program& p) {
     const bool is_open = name.empty() && out.kind != Result::whole;
     if (is_open) name = fresh((out.kind == Result::real ? "of_" : "") + out.name, false);
   }
-  for (Node& n : r.nodes)
-    if (n.name.empty() && n.op != Op::constant) n.name = fresh("t", true);
+  std::set<int> angles;
+  for (const Node& n : r.nodes)
+    if (n.op == Op::sine || n.op == Op::cosine) angles.insert(n.of[0]);
+  for (int k = 0; k < r.size(); ++k) {
+    Node& n = r[k];
+    if (!n.name.empty() || n.op == Op::constant) continue;
+    const bool is_negative = n.op == Op::scale && n.factor == -1 && !n.is_exact;
+    n.name = is_negative && !angles.contains(k) ? "-" + r[n.of[0]].name : fresh("t", true);
+  }
   return r;
 }
 }  // namespace codegen

@@ -8,7 +8,7 @@
 
 namespace codegen {
 struct Polynomial {
-  std::string name;          ///< ArcTangent, Sine, Cosine, SmallSine, SmallCosine
+  std::string name;          ///< arc_tangent, sine, cosine, small_sine, small_cosine
   std::vector<double> high;  ///< coefficients of (z - centre)^k, for z from 0 to top
   std::vector<double> low;   ///< what the first of them lack
   double centre;
@@ -16,7 +16,7 @@ struct Polynomial {
   double least;  ///< of the function there
   double error;  ///< proved, relative to the function
 };
-/// A set of polynomials. ArcTangent is of atan(sqrt z)/sqrt z, sines are of sin(sqrt z)/sqrt z,
+/// A set of polynomials. arc_tangent is of atan(sqrt z)/sqrt z, sines are of sin(sqrt z)/sqrt z,
 /// cosines of cos(sqrt z).
 struct Tier {
   std::string name;  ///< Fast, Accurate, Slow

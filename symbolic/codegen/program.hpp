@@ -44,6 +44,7 @@ struct Node {
   std::string name = {};
   std::string formula = {};  ///< as the theorem has it
   Interval range = {0, 0};
+  double least = 0;  ///< |x| is 0 or at least that; 0 where nothing is known
   int stage = 1;
   cln::cl_RA number() const { return of_pi ? value * pi() : value; }
 };
@@ -81,6 +82,6 @@ std::string identifier(const std::string& name);
 Program without_dead_code(const Program& p);
 /// In at most three stages, for arrays: what takes the result of a function is in the next one.
 Program in_stages(const Program& p);
-/// Each node named, no two alike, none like a word of the emitted text.
+/// Each node named, no two alike, none like a word of the emitted text: -x of x, where x is named.
 Program named(const Program& p);
 }  // namespace codegen

@@ -16,6 +16,7 @@ struct Input {
   kernel::Expr variable;
   Interval range;
   Interval wide_range;
+  bool may_be_zero = false;  ///< too, exactly: an evaluator's only
   bool is_whole() const { return variable.sort() == kernel::Sort::Int; }
   std::string name() const;  ///< as C++ has it
 };

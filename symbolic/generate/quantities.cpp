@@ -2,6 +2,7 @@
 // Reads quantities.txt and hands its theorems to the generator.
 #include "generate/quantities.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <sstream>
 
@@ -77,7 +78,6 @@ private:
   std::map<std::string, codegen::Words> lets;
   std::string form, name;  // of what is next
   std::vector<Condition> where;
-  kernel::Substitution with;
 
   codegen::Quantity& quantity() { return made.all.back().quantity; }
   Case& last() { return quantity().cases.back(); }
@@ -85,7 +85,6 @@ private:
   void begin_case(const std::string& called) {
     name = called;
     where.clear();
-    with.clear();
   }
   /// "alpha 0 1 n 0 5 0 9"
   std::vector<Condition> ranges() const {
@@ -135,17 +134,22 @@ private:
          for (const Condition& c : ranges())
            quantity().inputs.push_back({notation::read(c.name), c.range, *c.wide_range});
        }},
+      {"zeros:",
+       [this] {
+         for (codegen::Input& i : quantity().inputs)
+           i.may_be_zero = std::ranges::count(words, i.name()) > 0;
+       }},
       {"case:", [this] { begin_case(text()); }},
       {"where:", [this] { where = ranges(); }},
-      {"with:", [this] { with = terms(); }},
       {"theorems:",
        [this] {
-         with.insert(quantity().units.begin(), quantity().units.end());
-         quantity().cases.push_back(made.source.of(name, where, text(), with));
+         const kernel::Substitution& units = quantity().units;
+         quantity().cases.push_back(made.source.of(name, where, text(), units));
        }},
       {"facts:",
        [this] {
-         for (const kernel::Theorem& t : made.source.at(text(), with)) last().facts.emplace_back(t);
+         for (const kernel::Theorem& t : made.source.at(text(), quantity().units))
+           last().facts.emplace_back(t);
        }},
       {"computed:", [this] { last().facts.back().of_computed = text(); }},
       {"guards:", [this] { last().guards = ranges(); }},

@@ -13,17 +13,13 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
+using namespace arithmetic;
 struct AngleInputs {
   double alpha;
 };
 struct AngleOutputs {
   double psi;
 };
-template <class Tier> inline constexpr double AngleSmallBounds[1] = {};
-template <> inline constexpr double AngleSmallBounds<Accurate>[1] = {0x1.a66p-75};
-template <> inline constexpr double AngleSmallBounds<Fast>[1] = {0x1.7d1p-53};
-template <> inline constexpr double AngleSmallBounds<Slow>[1] = {0x1.7dp-98};
-template <> inline constexpr double AngleSmallBounds<Ziv>[1] = {0x1.401p+4};
 /// angle, small: alpha from 0x1p-300 to 0x1p+0.
 /// Theorem: psi = 4*half_h
 /// z <= 1/3: a theorem
@@ -37,7 +33,12 @@ struct AngleSmall {
   T alpha;
   R doubt, psi;
   N half_h, of_psi;
-  static constexpr const double* E = AngleSmallBounds<typename Tier::Bounds>;
+  static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.7d1p-53},
+      {0x1.a66p-75},
+      {0x1.7dp-98},
+      {0x1.401p+4}};
+  static constexpr const double* E = bounds[Tier::number];
   AngleSmall() = default;
   [[gnu::always_inline]] explicit AngleSmall(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
   [[gnu::always_inline]] AngleOutputs outputs() const { return {psi}; }
@@ -59,7 +60,7 @@ struct AngleSmall {
     of_psi = scaled(half_h, 0x1p+2);
   }
   [[gnu::always_inline]] void stage_3() {
-    psi = arithmetic::rounded_by<Tier>(of_psi, N::magnitude_of(leading(half_h)) * E[0], doubt);
+    psi = rounded_by<Tier>(of_psi, size_of(half_h) * E[0], doubt);
   }
 };
 /// What its callers need to know of angle.

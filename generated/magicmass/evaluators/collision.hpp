@@ -13,23 +13,14 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
+using namespace arithmetic;
 struct CollisionInputs {
   double alpha;
   std::int64_t j;
 };
 struct CollisionOutputs {
-  double when;
-  double apart;
+  double when, apart;
 };
-template <class Tier> inline constexpr double CollisionSmallBounds[6] = {};
-template <> inline constexpr double CollisionSmallBounds<Accurate>[6] = {0x1.11ep-74, 0x1.7cap-146,
-    0x1.63dp-72, 0x1.11ep-74, 0x1.02dp-73, 0x1.11ep-51};
-template <> inline constexpr double CollisionSmallBounds<Fast>[6] = {0x1.295p-52, 0x1.c54p-102,
-    0x1.865p-50, 0x1.295p-52, 0x1.1bbp-51, 0x1.295p-29};
-template <> inline constexpr double CollisionSmallBounds<Slow>[6] = {0x1.0b9p-95, 0x1.979p-187,
-    0x1.a12p-92, 0x1.0b9p-95, 0x1.e62p-94, 0x1.0b9p-72};
-template <> inline constexpr double CollisionSmallBounds<Ziv>[6] = {0x1.035p+4, 0x1.97cp-170,
-    0x1.a58p+6, 0x1.035p+4, 0x1.5efp+5, 0x1.035p+27};
 /// collision, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, j from 2 to 1125899906842624,
 ///   half_phase between -0x1.0624dd2f1a9fcp-10 and 0x1.921ff2e48e8a7p+0, next_cosine above 2^23
 ///   times its error.
@@ -48,8 +39,13 @@ struct CollisionSmall {
   using R = typename N::Result;
   T alpha, j;
   R doubt, when, apart;
-  N t, half_h, half_phase, half_sine, t2, t5;
-  static constexpr const double* E = CollisionSmallBounds<typename Tier::Bounds>;
+  N t, half_h, half_phase, half_sine, t2, t4;
+  static constexpr double bounds[4][6] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.295p-52, 0x1.c54p-102, 0x1.865p-50, 0x1.295p-52, 0x1.1bbp-51, 0x1.295p-29},
+      {0x1.11ep-74, 0x1.7cap-146, 0x1.63dp-72, 0x1.11ep-74, 0x1.02dp-73, 0x1.11ep-51},
+      {0x1.0b9p-95, 0x1.979p-187, 0x1.a12p-92, 0x1.0b9p-95, 0x1.e62p-94, 0x1.0b9p-72},
+      {0x1.035p+4, 0x1.97cp-170, 0x1.a58p+6, 0x1.035p+4, 0x1.5efp+5, 0x1.035p+27}};
+  static constexpr const double* E = bounds[Tier::number];
   CollisionSmall() = default;
   [[gnu::always_inline]] explicit CollisionSmall(const CollisionInputs& in) :
       alpha(N::all(in.alpha)), j(N::whole(in.j)) {}
@@ -67,7 +63,7 @@ struct CollisionSmall {
     t = times(w, alpha);
     // half_h = atan(t)
     half_h = arc_tangent<Tier>(t, z);
-    t5 = N::exact(N::all(0x1p+0)) + z;
+    t4 = N::exact(N::all(0x1p+0)) + z;
   }
   [[gnu::always_inline]] void stage_2() {
     // half_phase_j = half_h*j
@@ -80,40 +76,32 @@ struct CollisionSmall {
   [[gnu::always_inline]] void stage_3() {
     // t_half_sine_j = t*half_sine_j
     const N t_half_sine = t * half_sine;
-    [[maybe_unused]] const N t3 = -t_half_sine;
     // next_cosine_j = cos(half_phase_j) - t_half_sine_j
-    const N next_cosine = cancelling_sum(t2, t3);
+    const N next_cosine = cancelling_sum(t2, -t_half_sine);
     // half_cosine_j = next_cosine_j + t_half_sine_j
     const N half_cosine = next_cosine + t_half_sine;
-    const N t4 = t * half_cosine;
+    const N t3 = t * half_cosine;
     // next_sine_j = half_sine_j + t*half_cosine_j
-    const N next_sine = half_sine + t4;
+    const N next_sine = half_sine + t3;
     // per_next_j = 1/next_cosine_j
     const N per_next = quotient(N::all(0x1p+0), next_cosine);
     // sine_ratio_j = half_sine_j/next_sine_j
     const N sine_ratio = quotient(half_sine, next_sine);
     // time_ratio_j = (1 + z)*sine_ratio_j
-    const N time_ratio = t5 * sine_ratio;
+    const N time_ratio = t4 * sine_ratio;
     // t_ratio_j = t/next_sine_j
     const N t_ratio = quotient(t, next_sine);
-    const N t6 = time_ratio * half_cosine;
-    const N of_when = t6 * per_next;
+    const N t5 = time_ratio * half_cosine;
+    const N of_when = t5 * per_next;
     const N of_apart = t_ratio * per_next;
-    when = arithmetic::rounded_by<Tier>(of_when, N::magnitude_of(leading(per_next)) *
-        (N::magnitude_of(leading(time_ratio)) * (N::magnitude_of(leading(per_next)) *
-        (N::magnitude_of(leading(half_cosine)) * E[0] + E[1]) + E[2])), doubt);
-    apart = arithmetic::rounded_by<Tier>(of_apart, N::magnitude_of(leading(per_next)) *
-        (N::magnitude_of(leading(t_ratio)) * (N::magnitude_of(leading(per_next)) * E[3] + E[4])),
-        doubt);
+    when = rounded_by<Tier>(of_when, size_of(per_next) * (size_of(time_ratio) * (size_of(per_next) *
+        (size_of(half_cosine) * E[0] + E[1]) + E[2])), doubt);
+    apart = rounded_by<Tier>(of_apart, size_of(per_next) * (size_of(t_ratio) * (size_of(per_next) *
+        E[3] + E[4])), doubt);
     doubt = doubt + doubt_of_range(half_phase, -0x1.0624dd2f1a9fcp-10, 0x1.921ff2e48e8a7p+0);
     doubt = doubt + doubt_of_sign(next_cosine, N::magnitude_of(N::all(E[5])));
   }
 };
-template <class Tier> inline constexpr double CollisionFirstBounds[2] = {};
-template <> inline constexpr double CollisionFirstBounds<Accurate>[2] = {0x0p+0, 0x0p+0};
-template <> inline constexpr double CollisionFirstBounds<Fast>[2] = {0x0p+0, 0x0p+0};
-template <> inline constexpr double CollisionFirstBounds<Slow>[2] = {0x0p+0, 0x0p+0};
-template <> inline constexpr double CollisionFirstBounds<Ziv>[2] = {0x1.001p+0, 0x1.001p+0};
 /// collision, first: alpha from 0x1p-300 to 0x1p+300, j from 1 to 1.
 /// Theorem: when_1 = 1*inv(1)*((1 + alpha)/2)
 /// Theorem: apart_1 = 1*((1 + alpha)/2)
@@ -125,7 +113,12 @@ struct CollisionFirst {
   T alpha, j;
   R doubt, when, apart;
   N t1, of_when;
-  static constexpr const double* E = CollisionFirstBounds<typename Tier::Bounds>;
+  static constexpr double bounds[4][2] = {  // of Fast, Accurate, Slow, Ziv
+      {0x0p+0, 0x0p+0},
+      {0x0p+0, 0x0p+0},
+      {0x0p+0, 0x0p+0},
+      {0x1.001p+0, 0x1.001p+0}};
+  static constexpr const double* E = bounds[Tier::number];
   CollisionFirst() = default;
   [[gnu::always_inline]] explicit CollisionFirst(const CollisionInputs& in) :
       alpha(N::all(in.alpha)), j(N::whole(in.j)) {}
@@ -138,8 +131,8 @@ struct CollisionFirst {
   [[gnu::always_inline]] void stage_2() {
   }
   [[gnu::always_inline]] void stage_3() {
-    when = arithmetic::rounded_by<Tier>(of_when, N::magnitude_of(leading(t1)) * E[0], doubt);
-    apart = arithmetic::rounded_by<Tier>(of_when, N::magnitude_of(leading(t1)) * E[1], doubt);
+    when = rounded_by<Tier>(of_when, size_of(t1) * E[0], doubt);
+    apart = rounded_by<Tier>(of_when, size_of(t1) * E[1], doubt);
   }
 };
 /// What its callers need to know of collision.

@@ -13,17 +13,13 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
+using namespace arithmetic;
 struct DeficientInputs {
   std::int64_t k;
 };
 struct DeficientOutputs {
   double beta_;
 };
-template <class Tier> inline constexpr double DeficientGeneralBounds[1] = {};
-template <> inline constexpr double DeficientGeneralBounds<Accurate>[1] = {0x1.cep-76};
-template <> inline constexpr double DeficientGeneralBounds<Fast>[1] = {0x1.494p-54};
-template <> inline constexpr double DeficientGeneralBounds<Slow>[1] = {0x1.83bp-98};
-template <> inline constexpr double DeficientGeneralBounds<Ziv>[1] = {0x1.b75p+3};
 /// deficient, general: k from 1 to 1125899906842624.
 /// Theorem: beta_k = deficient_versed_k/deficient_cosine_k
 /// Operations: products: 1, quotients: 2, sines: 1, sums: 1.
@@ -34,7 +30,12 @@ struct DeficientGeneral {
   T k;
   R doubt, beta_;
   N deficient_sine, of_beta_;
-  static constexpr const double* E = DeficientGeneralBounds<typename Tier::Bounds>;
+  static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.494p-54},
+      {0x1.cep-76},
+      {0x1.83bp-98},
+      {0x1.b75p+3}};
+  static constexpr const double* E = bounds[Tier::number];
   DeficientGeneral() = default;
   [[gnu::always_inline]] explicit DeficientGeneral(const DeficientInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] DeficientOutputs outputs() const { return {beta_}; }
@@ -59,8 +60,7 @@ struct DeficientGeneral {
     of_beta_ = quotient(deficient_versed, deficient_cosine);
   }
   [[gnu::always_inline]] void stage_3() {
-    beta_ = arithmetic::rounded_by<Tier>(of_beta_, N::magnitude_of(leading(of_beta_)) * E[0],
-        doubt);
+    beta_ = rounded_by<Tier>(of_beta_, size_of(of_beta_) * E[0], doubt);
   }
 };
 /// What its callers need to know of deficient.

@@ -13,17 +13,13 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
+using namespace arithmetic;
 struct MagicInputs {
   std::int64_t k;
 };
 struct MagicOutputs {
   double alpha_;
 };
-template <class Tier> inline constexpr double MagicGeneralBounds[1] = {};
-template <> inline constexpr double MagicGeneralBounds<Accurate>[1] = {0x1.94ap-76};
-template <> inline constexpr double MagicGeneralBounds<Fast>[1] = {0x1.232p-54};
-template <> inline constexpr double MagicGeneralBounds<Slow>[1] = {0x1.ae4p-98};
-template <> inline constexpr double MagicGeneralBounds<Ziv>[1] = {0x1.84p+3};
 /// magic, general: k from 2 to 1125899906842624.
 /// Theorem: alpha_k = magic_versed_k/magic_cosine_k
 /// Operations: products: 1, quotients: 2, sines: 1, sums: 1, sums of doubles: 1.
@@ -34,7 +30,12 @@ struct MagicGeneral {
   T k;
   R doubt, alpha_;
   N magic_sine, of_alpha_;
-  static constexpr const double* E = MagicGeneralBounds<typename Tier::Bounds>;
+  static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.232p-54},
+      {0x1.94ap-76},
+      {0x1.ae4p-98},
+      {0x1.84p+3}};
+  static constexpr const double* E = bounds[Tier::number];
   MagicGeneral() = default;
   [[gnu::always_inline]] explicit MagicGeneral(const MagicInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] MagicOutputs outputs() const { return {alpha_}; }
@@ -60,8 +61,7 @@ struct MagicGeneral {
     of_alpha_ = quotient(magic_versed, magic_cosine);
   }
   [[gnu::always_inline]] void stage_3() {
-    alpha_ = arithmetic::rounded_by<Tier>(of_alpha_, N::magnitude_of(leading(of_alpha_)) * E[0],
-        doubt);
+    alpha_ = rounded_by<Tier>(of_alpha_, size_of(of_alpha_) * E[0], doubt);
   }
 };
 /// What its callers need to know of magic.

@@ -5,195 +5,125 @@
 #pragma once
 
 namespace magicmass::generated {
+/// Of z - centre: its first coefficients in two parts, the others in one.
+template <int the_size, int the_pairs>
+struct Polynomial {
+  static constexpr int size = the_size, pairs = the_pairs;
+  double centre, high[the_size], low[the_pairs];
+};
 struct Fast {
-  using Bounds = Fast;
+  static constexpr int number = 0;
   static constexpr bool is_tested = false;
-  struct ArcTangent {  // off by at most 2^-58.8
-    static constexpr int size = 15;
-    static constexpr int pairs = 1;
-    static constexpr double centre = 0x1.5555555555556p-3;
-    static constexpr double high[] = {0x1.e6199b2301cf4p-1, -0x1.1b751088e6496p-2,
-        0x1.2622ce48426p-3, -0x1.69f450807d6bap-4, 0x1.e4247d24c161ap-5, -0x1.544823b33001ep-5,
-        0x1.ee671ac53da67p-6, -0x1.6fbb555ae212ap-6, 0x1.1664a43661ce9p-6, -0x1.ab5d3eabeb085p-7,
-        0x1.4ba650e8688dep-7, -0x1.0336495cfcd3p-7, 0x1.98df566febcedp-8, -0x1.5bf726e15173ep-8,
-        0x1.1736816c83a8fp-8};
-    static constexpr double low[] = {0x1.0a95c507aeb99p-55};
-  };
-  struct Sine {  // off by at most 2^-57.1
-    static constexpr int size = 8;
-    static constexpr int pairs = 1;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1.5555555555555p-3, 0x1.111111111111p-7,
-        -0x1.a01a01a019938p-13, 0x1.71de3a5460a12p-19, -0x1.ae645412d7392p-26,
-        0x1.61217f18512a2p-33, -0x1.ab17daec49a55p-41};
-    static constexpr double low[] = {0x0p+0};
-  };
-  struct Cosine {  // off by at most 2^-59.4
-    static constexpr int size = 9;
-    static constexpr int pairs = 2;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1p-1, 0x1.5555555555555p-5, -0x1.6c16c16c16c14p-10,
-        0x1.a01a01a01959ep-16, -0x1.27e4fb767ec0ep-22, 0x1.1eed8d3150f4bp-29,
-        -0x1.9393d461154e6p-37, 0x1.ab0a099cfa8dep-45};
-    static constexpr double low[] = {0x0p+0, 0x1.dfdc1e797f4b8p-74};
-  };
-  struct SmallSine {  // off by at most 2^-58.3
-    static constexpr int size = 7;
-    static constexpr int pairs = 1;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1.5555555555555p-3, 0x1.11111111110f9p-7,
-        -0x1.a01a01a00a186p-13, 0x1.71de3a178173p-19, -0x1.ae637ca505457p-26,
-        0x1.5fc2fc49ac3f6p-33};
-    static constexpr double low[] = {0x0p+0};
-  };
-  struct SmallCosine {  // off by at most 2^-62.2
-    static constexpr int size = 8;
-    static constexpr int pairs = 2;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1p-1, 0x1.5555555555555p-5, -0x1.6c16c16c16bd6p-10,
-        0x1.a01a01a003bb2p-16, -0x1.27e4fb3d7dd91p-22, 0x1.1eecf3addde44p-29,
-        -0x1.91fb0066b6a35p-37};
-    static constexpr double low[] = {0x0p+0, 0x1.99270abafac1dp-71};
-  };
+  // off by at most 2^-58.8
+  static constexpr Polynomial<15, 1> arc_tangent{0x1.5555555555556p-3, {0x1.e6199b2301cf4p-1,
+      -0x1.1b751088e6496p-2, 0x1.2622ce48426p-3, -0x1.69f450807d6bap-4, 0x1.e4247d24c161ap-5,
+      -0x1.544823b33001ep-5, 0x1.ee671ac53da67p-6, -0x1.6fbb555ae212ap-6, 0x1.1664a43661ce9p-6,
+      -0x1.ab5d3eabeb085p-7, 0x1.4ba650e8688dep-7, -0x1.0336495cfcd3p-7, 0x1.98df566febcedp-8,
+      -0x1.5bf726e15173ep-8, 0x1.1736816c83a8fp-8}, {0x1.0a95c507aeb99p-55}};
+  // off by at most 2^-57.1
+  static constexpr Polynomial<8, 1> sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
+      0x1.111111111111p-7, -0x1.a01a01a019938p-13, 0x1.71de3a5460a12p-19, -0x1.ae645412d7392p-26,
+      0x1.61217f18512a2p-33, -0x1.ab17daec49a55p-41}, {0x0p+0}};
+  // off by at most 2^-59.4
+  static constexpr Polynomial<9, 2> cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
+      -0x1.6c16c16c16c14p-10, 0x1.a01a01a01959ep-16, -0x1.27e4fb767ec0ep-22, 0x1.1eed8d3150f4bp-29,
+      -0x1.9393d461154e6p-37, 0x1.ab0a099cfa8dep-45}, {0x0p+0, 0x1.dfdc1e797f4b8p-74}};
+  // off by at most 2^-58.3
+  static constexpr Polynomial<7, 1> small_sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
+      0x1.11111111110f9p-7, -0x1.a01a01a00a186p-13, 0x1.71de3a178173p-19, -0x1.ae637ca505457p-26,
+      0x1.5fc2fc49ac3f6p-33}, {0x0p+0}};
+  // off by at most 2^-62.2
+  static constexpr Polynomial<8, 2> small_cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
+      -0x1.6c16c16c16bd6p-10, 0x1.a01a01a003bb2p-16, -0x1.27e4fb3d7dd91p-22, 0x1.1eecf3addde44p-29,
+      -0x1.91fb0066b6a35p-37}, {0x0p+0, 0x1.99270abafac1dp-71}};
 };
 struct Accurate {
-  using Bounds = Accurate;
+  static constexpr int number = 1;
   static constexpr bool is_tested = true;
-  struct ArcTangent {  // off by at most 2^-79.7
-    static constexpr int size = 21;
-    static constexpr int pairs = 8;
-    static constexpr double centre = 0x1.5555555555556p-3;
-    static constexpr double high[] = {0x1.e6199b2301cf4p-1, -0x1.1b751088e6495p-2,
-        0x1.2622ce48425fbp-3, -0x1.69f450807e5cep-4, 0x1.e4247d24c50a9p-5, -0x1.544823b054864p-5,
-        0x1.ee671abd05eb1p-6, -0x1.6fbb592bddc79p-6, 0x1.1664a8bd39718p-6, -0x1.ab5aa1bf4cbc7p-7,
-        0x1.4ba39ca00d00ap-7, -0x1.03b0974420cccp-7, 0x1.99c3c7c2ce8c4p-8, -0x1.45583a6fb3bf3p-8,
-        0x1.03ba7fbefce52p-8, -0x1.a0b2ae54a0859p-9, 0x1.4f9fe546c26bcp-9, -0x1.0e1a45996a72ap-9,
-        0x1.b5dfa5f4ad19bp-10, -0x1.8ab6b09eee46dp-10, 0x1.438992e782123p-10};
-    static constexpr double low[] = {0x1.0adc78664b0c3p-55, -0x1.62df5fb8d653dp-57,
-        0x1.4df2f0b90685ap-57, -0x1.e3f3843a8b8dp-59, 0x1.52cece1d16dbfp-59, -0x1.c7f544caac5acp-59,
-        -0x1.57b48d029a6c4p-60, 0x1.9b422a7646427p-61};
-  };
-  struct Sine {  // off by at most 2^-84.4
-    static constexpr int size = 11;
-    static constexpr int pairs = 5;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1.5555555555555p-3, 0x1.1111111111111p-7,
-        -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e3p-26,
-        0x1.6124613a86b01p-33, -0x1.ae7f3e72c3bdcp-41, 0x1.952c75f1dc322p-49,
-        -0x1.2f483bc8c4ef4p-57, 0x1.6f79b98977b11p-66};
-    static constexpr double low[] = {0x0p+0, -0x1.55555555553d9p-57, 0x1.111111098c64dp-63,
-        -0x1.a013b8b002711p-73, -0x1.c1d765f921e67p-73};
-  };
-  struct Cosine {  // off by at most 2^-78.0
-    static constexpr int size = 11;
-    static constexpr int pairs = 5;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1p-1, 0x1.5555555555555p-5, -0x1.6c16c16c16c17p-10,
-        0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5bp-22, 0x1.1eed8eff8d5adp-29, -0x1.93974a8b5bb2p-37,
-        0x1.ae7f3ceaaf63dp-45, -0x1.68256906457cfp-53, 0x1.e208135ff2bf4p-62};
-    static constexpr double low[] = {0x0p+0, 0x1.10ebe3ed3bbb7p-96, 0x1.5555554a87e6ep-59,
-        0x1.f49fda7135931p-65, 0x1.42666d76027dap-76};
-  };
-  struct SmallSine {  // off by at most 2^-79.5
-    static constexpr int size = 10;
-    static constexpr int pairs = 4;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1.5555555555555p-3, 0x1.1111111111111p-7,
-        -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544d4p-26,
-        0x1.6124613a8193ap-33, -0x1.ae7f3e52cdefcp-41, 0x1.952c020030ad7p-49,
-        -0x1.2e65f783f5fafp-57};
-    static constexpr double low[] = {0x0p+0, -0x1.5555555555208p-57, 0x1.111110f28f773p-63,
-        -0x1.9feba3ff5ee46p-73};
-  };
-  struct SmallCosine {  // off by at most 2^-84.3
-    static constexpr int size = 10;
-    static constexpr int pairs = 5;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1p-1, 0x1.5555555555555p-5, -0x1.6c16c16c16c17p-10,
-        0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f48p-22, 0x1.1eed8eff86a9dp-29,
-        -0x1.93974a617a33ap-37, 0x1.ae7ea4e6a038p-45, -0x1.66fca8ba7efc5p-53};
-    static constexpr double low[] = {0x0p+0, 0x1.15776eeb1963dp-95, 0x1.5555552d4db6ap-59,
-        0x1.f4a3176768304p-65, -0x1.6992f7d6562a4p-75};
-  };
+  // off by at most 2^-79.7
+  static constexpr Polynomial<21, 8> arc_tangent{0x1.5555555555556p-3, {0x1.e6199b2301cf4p-1,
+      -0x1.1b751088e6495p-2, 0x1.2622ce48425fbp-3, -0x1.69f450807e5cep-4, 0x1.e4247d24c50a9p-5,
+      -0x1.544823b054864p-5, 0x1.ee671abd05eb1p-6, -0x1.6fbb592bddc79p-6, 0x1.1664a8bd39718p-6,
+      -0x1.ab5aa1bf4cbc7p-7, 0x1.4ba39ca00d00ap-7, -0x1.03b0974420cccp-7, 0x1.99c3c7c2ce8c4p-8,
+      -0x1.45583a6fb3bf3p-8, 0x1.03ba7fbefce52p-8, -0x1.a0b2ae54a0859p-9, 0x1.4f9fe546c26bcp-9,
+      -0x1.0e1a45996a72ap-9, 0x1.b5dfa5f4ad19bp-10, -0x1.8ab6b09eee46dp-10, 0x1.438992e782123p-10},
+      {0x1.0adc78664b0c3p-55, -0x1.62df5fb8d653dp-57, 0x1.4df2f0b90685ap-57, -0x1.e3f3843a8b8dp-59,
+      0x1.52cece1d16dbfp-59, -0x1.c7f544caac5acp-59, -0x1.57b48d029a6c4p-60,
+      0x1.9b422a7646427p-61}};
+  // off by at most 2^-84.4
+  static constexpr Polynomial<11, 5> sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
+      0x1.1111111111111p-7, -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e3p-26,
+      0x1.6124613a86b01p-33, -0x1.ae7f3e72c3bdcp-41, 0x1.952c75f1dc322p-49, -0x1.2f483bc8c4ef4p-57,
+      0x1.6f79b98977b11p-66}, {0x0p+0, -0x1.55555555553d9p-57, 0x1.111111098c64dp-63,
+      -0x1.a013b8b002711p-73, -0x1.c1d765f921e67p-73}};
+  // off by at most 2^-78.0
+  static constexpr Polynomial<11, 5> cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
+      -0x1.6c16c16c16c17p-10, 0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5bp-22, 0x1.1eed8eff8d5adp-29,
+      -0x1.93974a8b5bb2p-37, 0x1.ae7f3ceaaf63dp-45, -0x1.68256906457cfp-53, 0x1.e208135ff2bf4p-62},
+      {0x0p+0, 0x1.10ebe3ed3bbb7p-96, 0x1.5555554a87e6ep-59, 0x1.f49fda7135931p-65,
+      0x1.42666d76027dap-76}};
+  // off by at most 2^-79.5
+  static constexpr Polynomial<10, 4> small_sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
+      0x1.1111111111111p-7, -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544d4p-26,
+      0x1.6124613a8193ap-33, -0x1.ae7f3e52cdefcp-41, 0x1.952c020030ad7p-49, -0x1.2e65f783f5fafp-57},
+      {0x0p+0, -0x1.5555555555208p-57, 0x1.111110f28f773p-63, -0x1.9feba3ff5ee46p-73}};
+  // off by at most 2^-84.3
+  static constexpr Polynomial<10, 5> small_cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
+      -0x1.6c16c16c16c17p-10, 0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f48p-22, 0x1.1eed8eff86a9dp-29,
+      -0x1.93974a617a33ap-37, 0x1.ae7ea4e6a038p-45, -0x1.66fca8ba7efc5p-53}, {0x0p+0,
+      0x1.15776eeb1963dp-95, 0x1.5555552d4db6ap-59, 0x1.f4a3176768304p-65, -0x1.6992f7d6562a4p-75}};
 };
 struct Slow {
-  using Bounds = Slow;
+  static constexpr int number = 2;
   static constexpr bool is_tested = true;
-  struct ArcTangent {  // off by at most 2^-107.6
-    static constexpr int size = 28;
-    static constexpr int pairs = 18;
-    static constexpr double centre = 0x1.5555555555556p-3;
-    static constexpr double high[] = {0x1.e6199b2301cf4p-1, -0x1.1b751088e6495p-2,
-        0x1.2622ce48425fbp-3, -0x1.69f450807e5cep-4, 0x1.e4247d24c50a9p-5, -0x1.544823b054866p-5,
-        0x1.ee671abd05eb7p-6, -0x1.6fbb592bdd7efp-6, 0x1.1664a8bd3904p-6, -0x1.ab5aa1bfbba9bp-7,
-        0x1.4ba39ca09c6d1p-7, -0x1.03b09711369b2p-7, 0x1.99c3c74dc9de7p-8, -0x1.455857b349f09p-8,
-        0x1.03ba9e5e0a81bp-8, -0x1.a0a8148923f99p-9, 0x1.4f959f0f23c6dp-9, -0x1.0f4682357ce72p-9,
-        0x1.b8017ba4342b5p-10, -0x1.65e15030d4cp-10, 0x1.23d7ca66a6ab3p-10, -0x1.dd1cc765a1663p-11,
-        0x1.86f5b35f9d654p-11, -0x1.40e8631dd801p-11, 0x1.057f098171d2cp-11, -0x1.ae6ce2c932dap-12,
-        0x1.99c6d79647764p-12, -0x1.543e32f745133p-12};
-    static constexpr double low[] = {0x1.0adc7865d3c94p-55, -0x1.62df6d15449cdp-57,
-        0x1.4df33014f9825p-57, -0x1.e1ccf06fee682p-59, 0x1.4d3ec1077f281p-59,
-        -0x1.38f400aa2bfe6p-61, -0x1.efbdc35c88b64p-61, -0x1.9026f71d7dffbp-60,
-        -0x1.f228cfcf8cb57p-60, -0x1.4f1aab0a391dp-62, -0x1.218308d724c73p-62,
-        0x1.e73c95644b75ep-61, 0x1.6e095584868b3p-62, 0x1.e3fe39ab55604p-64, 0x1.4783d3fe453bep-62,
-        0x1.c2d4e9efc149cp-63, 0x1.e08d11cce5ff7p-63, -0x1.0e414446d5d91p-65};
-  };
-  struct Sine {  // off by at most 2^-111.0
-    static constexpr int size = 14;
-    static constexpr int pairs = 9;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1.5555555555555p-3, 0x1.1111111111111p-7,
-        -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e4p-26,
-        0x1.6124613a86d09p-33, -0x1.ae7f3e733b81fp-41, 0x1.952c77030ad4ap-49,
-        -0x1.2f49b468140b6p-57, 0x1.71b8ef6da2a67p-66, -0x1.761b40ab22a33p-75,
-        0x1.3f3bc9ac1750fp-84, -0x1.cf5fe179550aap-94};
-    static constexpr double low[] = {0x0p+0, -0x1.5555555555555p-57, 0x1.1111111111111p-63,
-        -0x1.a01a01a01a00dp-73, -0x1.c154f8ddc6ddap-73, 0x1.c062e06e31a4bp-80,
-        0x1.f28e06de1b7bcp-87, -0x1.1cdf12a25d40bp-97, 0x1.ccd78a6f33fc9p-104};
-  };
-  struct Cosine {  // off by at most 2^-113.4
-    static constexpr int size = 15;
-    static constexpr int pairs = 10;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1p-1, 0x1.5555555555555p-5, -0x1.6c16c16c16c17p-10,
-        0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5cp-22, 0x1.1eed8eff8d898p-29,
-        -0x1.93974a8c07c9dp-37, 0x1.ae7f3e733b81fp-45, -0x1.6827863b97d97p-53,
-        0x1.e542ba402010ep-62, -0x1.0ce396db5d576p-70, 0x1.f2cf00deec941p-80, -0x1.88e71af54cbbp-89,
-        0x1.08c75af9a4258p-98};
-    static constexpr double low[] = {0x0p+0, 0x1.70b5d273d1d4bp-145, 0x1.5555555555555p-59,
-        0x1.f49f49f49f49fp-65, 0x1.a01a01a019ffbp-76, -0x1.cbbc05b4fa705p-76,
-        -0x1.2aec959f20ca3p-83, -0x1.05d6e70b6abdbp-92, 0x1.1cbdc0cc723f2p-101,
-        -0x1.278ffa51009dap-107};
-  };
-  struct SmallSine {  // off by at most 2^-112.3
-    static constexpr int size = 13;
-    static constexpr int pairs = 8;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1.5555555555555p-3, 0x1.1111111111111p-7,
-        -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e4p-26,
-        0x1.6124613a86d09p-33, -0x1.ae7f3e733b81fp-41, 0x1.952c77030ad45p-49,
-        -0x1.2f49b46812386p-57, 0x1.71b8ef5f9746bp-66, -0x1.761afc6414139p-75,
-        0x1.3e7d862655cc2p-84};
-    static constexpr double low[] = {0x0p+0, -0x1.5555555555555p-57, 0x1.1111111111111p-63,
-        -0x1.a01a01a01a00bp-73, -0x1.c154f8ddc7012p-73, 0x1.c062e07198647p-80,
-        0x1.f28dde5c768b3p-87, -0x1.13fc131aca55p-97};
-  };
-  struct SmallCosine {  // off by at most 2^-113.0
-    static constexpr int size = 13;
-    static constexpr int pairs = 8;
-    static constexpr double centre = 0x0p+0;
-    static constexpr double high[] = {0x1p+0, -0x1p-1, 0x1.5555555555555p-5, -0x1.6c16c16c16c17p-10,
-        0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5cp-22, 0x1.1eed8eff8d898p-29,
-        -0x1.93974a8c07c9dp-37, 0x1.ae7f3e733b816p-45, -0x1.6827863b94b48p-53,
-        0x1.e542ba28224e4p-62, -0x1.0ce35ccff1edap-70, 0x1.f18c3fa4f987dp-80};
-    static constexpr double low[] = {0x0p+0, 0x1.28710d4693cd8p-134, 0x1.5555555555555p-59,
-        0x1.f49f49f49f4a1p-65, 0x1.a01a019fe311cp-76, -0x1.cbbc05ad6e418p-76,
-        -0x1.2aece3ef5f23dp-83, -0x1.fb95385be81d3p-93};
-  };
+  // off by at most 2^-107.6
+  static constexpr Polynomial<28, 18> arc_tangent{0x1.5555555555556p-3, {0x1.e6199b2301cf4p-1,
+      -0x1.1b751088e6495p-2, 0x1.2622ce48425fbp-3, -0x1.69f450807e5cep-4, 0x1.e4247d24c50a9p-5,
+      -0x1.544823b054866p-5, 0x1.ee671abd05eb7p-6, -0x1.6fbb592bdd7efp-6, 0x1.1664a8bd3904p-6,
+      -0x1.ab5aa1bfbba9bp-7, 0x1.4ba39ca09c6d1p-7, -0x1.03b09711369b2p-7, 0x1.99c3c74dc9de7p-8,
+      -0x1.455857b349f09p-8, 0x1.03ba9e5e0a81bp-8, -0x1.a0a8148923f99p-9, 0x1.4f959f0f23c6dp-9,
+      -0x1.0f4682357ce72p-9, 0x1.b8017ba4342b5p-10, -0x1.65e15030d4cp-10, 0x1.23d7ca66a6ab3p-10,
+      -0x1.dd1cc765a1663p-11, 0x1.86f5b35f9d654p-11, -0x1.40e8631dd801p-11, 0x1.057f098171d2cp-11,
+      -0x1.ae6ce2c932dap-12, 0x1.99c6d79647764p-12, -0x1.543e32f745133p-12}, {0x1.0adc7865d3c94p-55,
+      -0x1.62df6d15449cdp-57, 0x1.4df33014f9825p-57, -0x1.e1ccf06fee682p-59, 0x1.4d3ec1077f281p-59,
+      -0x1.38f400aa2bfe6p-61, -0x1.efbdc35c88b64p-61, -0x1.9026f71d7dffbp-60,
+      -0x1.f228cfcf8cb57p-60, -0x1.4f1aab0a391dp-62, -0x1.218308d724c73p-62, 0x1.e73c95644b75ep-61,
+      0x1.6e095584868b3p-62, 0x1.e3fe39ab55604p-64, 0x1.4783d3fe453bep-62, 0x1.c2d4e9efc149cp-63,
+      0x1.e08d11cce5ff7p-63, -0x1.0e414446d5d91p-65}};
+  // off by at most 2^-111.0
+  static constexpr Polynomial<14, 9> sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
+      0x1.1111111111111p-7, -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e4p-26,
+      0x1.6124613a86d09p-33, -0x1.ae7f3e733b81fp-41, 0x1.952c77030ad4ap-49, -0x1.2f49b468140b6p-57,
+      0x1.71b8ef6da2a67p-66, -0x1.761b40ab22a33p-75, 0x1.3f3bc9ac1750fp-84, -0x1.cf5fe179550aap-94},
+      {0x0p+0, -0x1.5555555555555p-57, 0x1.1111111111111p-63, -0x1.a01a01a01a00dp-73,
+      -0x1.c154f8ddc6ddap-73, 0x1.c062e06e31a4bp-80, 0x1.f28e06de1b7bcp-87, -0x1.1cdf12a25d40bp-97,
+      0x1.ccd78a6f33fc9p-104}};
+  // off by at most 2^-113.4
+  static constexpr Polynomial<15, 10> cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
+      -0x1.6c16c16c16c17p-10, 0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5cp-22, 0x1.1eed8eff8d898p-29,
+      -0x1.93974a8c07c9dp-37, 0x1.ae7f3e733b81fp-45, -0x1.6827863b97d97p-53, 0x1.e542ba402010ep-62,
+      -0x1.0ce396db5d576p-70, 0x1.f2cf00deec941p-80, -0x1.88e71af54cbbp-89, 0x1.08c75af9a4258p-98},
+      {0x0p+0, 0x1.70b5d273d1d4bp-145, 0x1.5555555555555p-59, 0x1.f49f49f49f49fp-65,
+      0x1.a01a01a019ffbp-76, -0x1.cbbc05b4fa705p-76, -0x1.2aec959f20ca3p-83, -0x1.05d6e70b6abdbp-92,
+      0x1.1cbdc0cc723f2p-101, -0x1.278ffa51009dap-107}};
+  // off by at most 2^-112.3
+  static constexpr Polynomial<13, 8> small_sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
+      0x1.1111111111111p-7, -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e4p-26,
+      0x1.6124613a86d09p-33, -0x1.ae7f3e733b81fp-41, 0x1.952c77030ad45p-49, -0x1.2f49b46812386p-57,
+      0x1.71b8ef5f9746bp-66, -0x1.761afc6414139p-75, 0x1.3e7d862655cc2p-84}, {0x0p+0,
+      -0x1.5555555555555p-57, 0x1.1111111111111p-63, -0x1.a01a01a01a00bp-73, -0x1.c154f8ddc7012p-73,
+      0x1.c062e07198647p-80, 0x1.f28dde5c768b3p-87, -0x1.13fc131aca55p-97}};
+  // off by at most 2^-113.0
+  static constexpr Polynomial<13, 8> small_cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
+      -0x1.6c16c16c16c17p-10, 0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5cp-22, 0x1.1eed8eff8d898p-29,
+      -0x1.93974a8c07c9dp-37, 0x1.ae7f3e733b816p-45, -0x1.6827863b94b48p-53, 0x1.e542ba28224e4p-62,
+      -0x1.0ce35ccff1edap-70, 0x1.f18c3fa4f987dp-80}, {0x0p+0, 0x1.28710d4693cd8p-134,
+      0x1.5555555555555p-59, 0x1.f49f49f49f4a1p-65, 0x1.a01a019fe311cp-76, -0x1.cbbc05ad6e418p-76,
+      -0x1.2aece3ef5f23dp-83, -0x1.fb95385be81d3p-93}};
 };
 /// The tier of the last number type, of as many bits as are asked for.
 struct Ziv {
-  using Bounds = Ziv;
+  static constexpr int number = 3;
   static constexpr bool is_tested = true;
 };
 }  // namespace magicmass::generated

@@ -14,31 +14,18 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
+using namespace arithmetic;
 struct RestitutionInputs {
-  double M_C;
-  double w_B;
-  double e;
+  double M_C, w_B, e;
 };
 struct RestitutionOutputs {
   std::int64_t N_e;
-  double a_end;
-  double b_end;
-  double c_end;
-  double rho_end;
+  double a_end, b_end, c_end, rho_end;
 };
-template <class Tier> inline constexpr double RestitutionBlockBounds[4] = {};
-template <> inline constexpr double RestitutionBlockBounds<Accurate>[4] = {0x1.801p-52, 0x1.fe8p-67,
-    0x1.801p-52, 0x1.bebp-67};
-template <> inline constexpr double RestitutionBlockBounds<Fast>[4] = {0x1.801p-52, 0x1.5abp-51,
-    0x1.801p-52, 0x1.2f6p-51};
-template <> inline constexpr double RestitutionBlockBounds<Slow>[4] = {0x1.801p-52, 0x1.f74p-67,
-    0x1.801p-52, 0x1.b86p-67};
-template <> inline constexpr double RestitutionBlockBounds<Ziv>[4] = {0x1.001p+0, 0x1.148p+86,
-    0x1.001p+0, 0x1.e3dp+85};
-/// restitution, block: M_C from 0x1p-100 to 0x1p+60, w_B from 0x1p-100 to 0x1p+60, e from 0x1p-100
-///   to 0x1p+0, root_e between 0x0p+0 and 0x1.00000000004p+0, loss_e between -0x1p+0 and 0x1p+0,
-///   span_e between 0x0p+0 and 0x1.921ff2e48e8a7p+1, share_e between 0x1p-30 and 0x1p+1, z_e
-///   between 0x1p-48 and 0x1.5555555555556p-2, left_e between 0x0p+0 and 0x1.0c1bda5119cep+0,
+/// restitution, general: M_C from 0x1p-100 to 0x1p+60, w_B 0 or from 0x1p-100 to 0x1p+60, e from
+///   0x1p-100 to 0x1p+0, root_e between 0x0p+0 and 0x1.00000000004p+0, loss_e between -0x1p+0 and
+///   0x1p+0, span_e between 0x0p+0 and 0x1.921ff2e48e8a7p+1, share_e between 0x1p-30 and 0x1p+1,
+///   z_e between 0x1p-48 and 0x1.5555555555556p-2, left_e between 0x0p+0 and 0x1.0c1bda5119cep+0,
 ///   next_e between 0x0p+0 and 0x1.0c1bda5119cep+0, last_reach_e between 0x0p+0 and 0x1p+29,
 ///   open_reach_e between 0x0p+0 and 0x1p+29, kept_e between -0x1p+0 and 0x1p+3, parted_e between
 ///   -0x1p+0 and 0x1p+3.
@@ -51,16 +38,21 @@ template <> inline constexpr double RestitutionBlockBounds<Ziv>[4] = {0x1.001p+0
 /// Operations: arctangents: 1, powers: 1, products: 14, products by doubles: 14, quotients: 8,
 ///   reciprocal roots: 3, roundings to whole numbers: 1, sines: 2, sums: 17, sums of doubles: 3.
 template <class Tier, class N>
-struct RestitutionBlock {
+struct RestitutionGeneral {
   using T = typename N::Value;
   using R = typename N::Result;
-  T M_C, w_B, e, N_e, t36, t37;
+  T M_C, w_B, e, N_e, t32, t33;
   R doubt, a_end, b_end, c_end, rho_end;
-  N all_e, side_e, root_e, loss_e, share_e, z_e, t21, sine_e, t27, distance, to_next, span_e,
-      left_e, next_e, power_e, last_reach_e, open_reach_e, last_sine_e, open_sine_e, t41;
-  static constexpr const double* E = RestitutionBlockBounds<typename Tier::Bounds>;
-  RestitutionBlock() = default;
-  [[gnu::always_inline]] explicit RestitutionBlock(const RestitutionInputs& in) :
+  N all_e, side_e, root_e, loss_e, share_e, z_e, t20, sine_e, t26, distance, to_next, span_e,
+      left_e, next_e, power_e, last_reach_e, open_reach_e, last_sine_e, open_sine_e, t37;
+  static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.801p-52, 0x1.5abp-51, 0x1.801p-52, 0x1.2f6p-51},
+      {0x1.801p-52, 0x1.fe8p-67, 0x1.801p-52, 0x1.bebp-67},
+      {0x1.801p-52, 0x1.f74p-67, 0x1.801p-52, 0x1.b86p-67},
+      {0x1.001p+0, 0x1.148p+86, 0x1.001p+0, 0x1.e3dp+85}};
+  static constexpr const double* E = bounds[Tier::number];
+  RestitutionGeneral() = default;
+  [[gnu::always_inline]] explicit RestitutionGeneral(const RestitutionInputs& in) :
       M_C(N::all(in.M_C)), w_B(N::all(in.w_B)), e(N::all(in.e)) {}
   [[gnu::always_inline]] RestitutionOutputs outputs() const { return {N::to_whole(N_e), a_end,
       b_end, c_end, rho_end}; }
@@ -90,71 +82,67 @@ struct RestitutionBlock {
     const N t12 = t11 * t11;
     // loss_e = (1 - e)^2/rise_e
     loss_e = quotient(t12, rise_e);
-    [[maybe_unused]] const N t13 = -loss_e;
     // share_e = 1 - loss_e
-    share_e = cancelling_sum(N::exact(N::all(0x1p+0)), t13);
+    share_e = cancelling_sum(N::exact(N::all(0x1p+0)), -loss_e);
     // gap_e = rise_e*share_e
     const N gap_e = rise_e * share_e;
-    const N t14 = root_e * both_e;
-    [[maybe_unused]] const N t15 = scaled(t14, 0x1p+1);
-    const N t16 = N::fast_two_sum(N::all(0x1p+0), e);
+    const N t13 = root_e * both_e;
+    [[maybe_unused]] const N t14 = scaled(t13, 0x1p+1);
+    const N t15 = N::fast_two_sum(N::all(0x1p+0), e);
     // whole_e = 2*sqrt(e)*both_e + (1 + e)
-    const N whole_e = t15 + t16;
-    const N t17 = quotient(N::all(0x1p+0), whole_e);
-    const N t18 = t17 * t17;
+    const N whole_e = t14 + t15;
+    const N t16 = quotient(N::all(0x1p+0), whole_e);
+    const N t17 = t16 * t16;
     // z_e = gap_e/whole_e^2
-    z_e = gap_e * t18;
-    const N t19 = reciprocal_root(gap_e);
-    const N t20 = gap_e * t19;
+    z_e = gap_e * t17;
+    const N t18 = reciprocal_root(gap_e);
+    const N t19 = gap_e * t18;
     // t_e = sqrt(gap_e)/whole_e
-    const N t_e = quotient(t20, whole_e);
-    t21 = arc_tangent<Tier>(t_e, z_e);
-    const N t22 = N::exact(N::all(0x1p+0)) + z_e;
-    const N t23 = quotient(t_e, t22);
+    const N t_e = quotient(t19, whole_e);
+    t20 = arc_tangent<Tier>(t_e, z_e);
+    const N t21 = N::exact(N::all(0x1p+0)) + z_e;
+    const N t22 = quotient(t_e, t21);
     // sine_e = 2*t_e/(1 + z_e)
-    sine_e = scaled(t23, 0x1p+1);
+    sine_e = scaled(t22, 0x1p+1);
   }
   [[gnu::always_inline]] void stage_2() {
     // step_e = 2*atan(t_e)
-    [[maybe_unused]] const N step_e = scaled(t21, 0x1p+1);
-    const T t24 = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1,
+    [[maybe_unused]] const N step_e = scaled(t20, 0x1p+1);
+    const T t23 = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1,
         0x1.1a62633145c07p-53)) / leading(step_e));
-    const T t25 = t24 * -0x1p+1;
-    const N t26 = times(t21, t25);
-    t27 = near_sum(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53), t26);
-    distance = magnitude(t27);
-    [[maybe_unused]] const N t28 = -distance;
-    to_next = cancelling_sum(t21, t28);
-    const T t29 = t24 + (N::times_sign_of(N::all(0.5), leading(t27)) - 0.5);
-    const T t30 = t29 + N::all(0x1p+0);
+    const T t24 = t23 * -0x1p+1;
+    const N t25 = times(t20, t24);
+    t26 = near_sum(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53), t25);
+    distance = magnitude(t26);
+    to_next = cancelling_sum(t20, -distance);
+    const T t27 = t23 + (N::times_sign_of(N::all(0.5), leading(t26)) - 0.5);
+    const T t28 = t27 + N::all(0x1p+0);
     // N_e = ceil(pi/step_e) - 1
-    N_e = t30 + N::all(-0x1p+0);
-    const T t31 = N_e * 0x1p+1;
+    N_e = t28 + N::all(-0x1p+0);
+    const T t29 = N_e * 0x1p+1;
     // span_e = step_e*N_e
-    span_e = times(t21, t31);
-    [[maybe_unused]] const N t32 = -span_e;
+    span_e = times(t20, t29);
     // left_e = pi - span_e
     left_e = cancelling_sum(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1,
-        0x1.1a62633145c07p-53), t32);
-    [[maybe_unused]] const N t33 = -left_e;
+        0x1.1a62633145c07p-53), -span_e);
     // next_e = step_e - left_e
-    next_e = cancelling_sum(step_e, t33);
+    next_e = cancelling_sum(step_e, -left_e);
     // power_e = pow_(N_e)(sqrt(e))
     power_e = power(root_e, N_e);
-    const T t34 = N::turn(N_e);
-    const T t35 = t34 * -0x1p+0;
+    const T t30 = N::turn(N_e);
+    const T t31 = t30 * -0x1p+0;
     // odd_e = 1 - turn_(N_e)
-    const T odd_e = N::all(0x1p+0) + t35;
+    const T odd_e = N::all(0x1p+0) + t31;
     // even_e = 1 + turn_(N_e)
-    const T even_e = N::all(0x1p+0) + t34;
-    t36 = odd_e * 0x1p-1;
-    t37 = even_e * 0x1p-1;
-    const N t38 = times(side_e, t37);
+    const T even_e = N::all(0x1p+0) + t30;
+    t32 = odd_e * 0x1p-1;
+    t33 = even_e * 0x1p-1;
+    const N t34 = times(side_e, t33);
     // last_side_e = odd_e/2 + even_e*side_e/2
-    const N last_side_e = N::exact(t36) + t38;
-    const N t39 = times(side_e, t36);
+    const N last_side_e = N::exact(t32) + t34;
+    const N t35 = times(side_e, t32);
     // open_side_e = even_e/2 + odd_e*side_e/2
-    const N open_side_e = N::exact(t37) + t39;
+    const N open_side_e = N::exact(t33) + t35;
     // last_reach_e = last_side_e/sine_e
     last_reach_e = quotient(last_side_e, sine_e);
     // open_reach_e = open_side_e/sine_e
@@ -165,209 +153,39 @@ struct RestitutionBlock {
     // open_sine_e = sin(next_e)
     const auto of_next_e = sine_cosine<Tier>(next_e);
     open_sine_e = of_next_e.sine;
-    t41 = root_e * power_e;
+    t37 = root_e * power_e;
   }
   [[gnu::always_inline]] void stage_3() {
-    const N t40 = power_e * open_sine_e;
+    const N t36 = power_e * open_sine_e;
     // kept_e = power_e*open_sine_e*open_reach_e
-    const N kept_e = t40 * open_reach_e;
-    const N t42 = t41 * last_sine_e;
+    const N kept_e = t36 * open_reach_e;
+    const N t38 = t37 * last_sine_e;
     // parted_e = sqrt(e)*power_e*last_sine_e*last_reach_e
-    const N parted_e = t42 * last_reach_e;
-    const N t43 = times(kept_e, t36);
-    const N t44 = times(parted_e, t37);
+    const N parted_e = t38 * last_reach_e;
+    const N t39 = times(kept_e, t32);
+    const N t40 = times(parted_e, t33);
     // second_e = odd_e*kept_e/2 + even_e*parted_e/2
-    const N second_e = t43 + t44;
+    const N second_e = t39 + t40;
     // speeds_e = kept_e + parted_e
     const N speeds_e = kept_e + parted_e;
-    const N t45 = times(second_e, M_C);
+    const N t41 = times(second_e, M_C);
     // moved_e = speeds_e + M_C*second_e
-    const N moved_e = speeds_e + t45;
+    const N moved_e = speeds_e + t41;
     // gained_e = 1 + moved_e
     const N gained_e = N::exact(N::all(0x1p+0)) + moved_e;
     // taken_e = gained_e/all_e
     const N taken_e = quotient(gained_e, all_e);
     const N of_b_end = times(taken_e, w_B);
-    [[maybe_unused]] const N t46 = -speeds_e;
-    const N of_a_end = cancelling_sum(of_b_end, t46);
-    [[maybe_unused]] const N t47 = -second_e;
-    const N of_c_end = cancelling_sum(of_b_end, t47);
-    const N t48 = taken_e * taken_e;
-    const N of_rho_end = times(t48, w_B);
+    const N of_a_end = cancelling_sum(of_b_end, -speeds_e);
+    const N of_c_end = cancelling_sum(of_b_end, -second_e);
+    const N t42 = taken_e * taken_e;
+    const N of_rho_end = times(t42, w_B);
     a_end = rounded(of_a_end);
     b_end = rounded(of_b_end);
     c_end = rounded(of_c_end);
     rho_end = rounded(of_rho_end);
-    doubt = doubt + doubt_of_sign(to_next, N::magnitude_of(leading(to_next)) * E[0] + E[1]);
-    doubt = doubt + doubt_of_sign(distance, N::magnitude_of(leading(t27)) * E[2] + E[3]);
-    doubt = doubt + doubt_of_range(root_e, 0x0p+0, 0x1.00000000004p+0);
-    doubt = doubt + doubt_of_range(loss_e, -0x1p+0, 0x1p+0);
-    doubt = doubt + doubt_of_range(share_e, (N::is_wide ? 0x1p-80 : 0x1p-30), 0x1p+1);
-    doubt = doubt + doubt_of_range(z_e, (N::is_wide ? 0x1p-124 : 0x1p-48), 0x1.5555555555556p-2);
-    doubt = doubt + doubt_of_range(span_e, 0x0p+0, 0x1.921ff2e48e8a7p+1);
-    doubt = doubt + doubt_of_range(left_e, 0x0p+0, 0x1.0c1bda5119cep+0);
-    doubt = doubt + doubt_of_range(next_e, 0x0p+0, 0x1.0c1bda5119cep+0);
-    doubt = doubt + doubt_of_range(last_reach_e, 0x0p+0, (N::is_wide ? 0x1p+72 : 0x1p+29));
-    doubt = doubt + doubt_of_range(open_reach_e, 0x0p+0, (N::is_wide ? 0x1p+72 : 0x1p+29));
-    doubt = doubt + doubt_of_range(kept_e, -0x1p+0, 0x1p+3);
-    doubt = doubt + doubt_of_range(parted_e, -0x1p+0, 0x1p+3);
-  }
-};
-template <class Tier> inline constexpr double RestitutionWallBounds[4] = {};
-template <> inline constexpr double RestitutionWallBounds<Accurate>[4] = {0x1.801p-52, 0x1.aa1p-68,
-    0x1.801p-52, 0x1.74dp-68};
-template <> inline constexpr double RestitutionWallBounds<Fast>[4] = {0x1.801p-52, 0x1.11cp-51,
-    0x1.801p-52, 0x1.df1p-52};
-template <> inline constexpr double RestitutionWallBounds<Slow>[4] = {0x1.801p-52, 0x1.9eep-68,
-    0x1.801p-52, 0x1.6bp-68};
-template <> inline constexpr double RestitutionWallBounds<Ziv>[4] = {0x1.001p+0, 0x1.5fep+85,
-    0x1.001p+0, 0x1.33fp+85};
-/// restitution, wall: M_C from 0x1p-100 to 0x1p+60, w_B from 0x0p+0 to 0x0p+0, e from 0x1p-100 to
-///   0x1p+0, root_e between 0x0p+0 and 0x1.00000000004p+0, loss_e between -0x1p+0 and 0x1p+0,
-///   span_e between 0x0p+0 and 0x1.921ff2e48e8a7p+1, share_e between 0x1p-30 and 0x1p+1, z_e
-///   between 0x1p-48 and 0x1.5555555555556p-2, left_e between 0x0p+0 and 0x1.0c1bda5119cep+0,
-///   next_e between 0x0p+0 and 0x1.0c1bda5119cep+0, last_reach_e between 0x0p+0 and 0x1p+29,
-///   open_reach_e between 0x0p+0 and 0x1p+29, kept_e between -0x1p+0 and 0x1p+3, parted_e between
-///   -0x1p+0 and 0x1p+3.
-/// Theorem: N_e = ceil(pi/step_e) - 1
-/// Theorem: a_end = 1*(0*taken_e - speeds_e)
-/// Theorem: b_end = 1*(0*taken_e)
-/// Theorem: c_end = 1*(0*taken_e - second_e)
-/// Theorem: rho_end = 0*taken_e^2
-/// t_e^2 = z_e: a theorem
-/// Operations: arctangents: 1, powers: 1, products: 12, products by doubles: 8, quotients: 7,
-///   reciprocal roots: 3, roundings to whole numbers: 1, sines: 2, sums: 11, sums of doubles: 3.
-template <class Tier, class N>
-struct RestitutionWall {
-  using T = typename N::Value;
-  using R = typename N::Result;
-  T M_C, w_B, e, N_e, t31, t32;
-  R doubt, a_end, b_end, c_end, rho_end;
-  N side_e, root_e, loss_e, share_e, z_e, t16, sine_e, t22, distance, to_next, span_e, left_e,
-      next_e, power_e, last_reach_e, open_reach_e, last_sine_e, open_sine_e, t36;
-  static constexpr const double* E = RestitutionWallBounds<typename Tier::Bounds>;
-  RestitutionWall() = default;
-  [[gnu::always_inline]] explicit RestitutionWall(const RestitutionInputs& in) :
-      M_C(N::all(in.M_C)), w_B(N::all(in.w_B)), e(N::all(in.e)) {}
-  [[gnu::always_inline]] RestitutionOutputs outputs() const { return {N::to_whole(N_e), a_end,
-      b_end, c_end, rho_end}; }
-  [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
-    const N t1 = N::two_sum(N::all(0x1p+0), M_C);
-    const N t2 = reciprocal_root(t1);
-    // both_e = sqrt((1 + M_C)*(1 + 0*M_C))
-    const N both_e = t1 * t2;
-    // side_e = both_e/(1 + M_C)
-    side_e = quotient(both_e, t1);
-    const N t3 = reciprocal_root(N::exact(e));
-    // root_e = sqrt(e)
-    root_e = times(t3, e);
-    const T t4 = M_C * 0x1p+2;
-    // rise_e = 4*e*(M_C*all_e)
-    const N rise_e = times(N::exact(t4), e);
-    const T t5 = e * -0x1p+0;
-    const N t6 = N::fast_two_sum(N::all(0x1p+0), t5);
-    const N t7 = t6 * t6;
-    // loss_e = (1 - e)^2/rise_e
-    loss_e = quotient(t7, rise_e);
-    [[maybe_unused]] const N t8 = -loss_e;
-    // share_e = 1 - loss_e
-    share_e = cancelling_sum(N::exact(N::all(0x1p+0)), t8);
-    // gap_e = rise_e*share_e
-    const N gap_e = rise_e * share_e;
-    const N t9 = root_e * both_e;
-    [[maybe_unused]] const N t10 = scaled(t9, 0x1p+1);
-    const N t11 = N::fast_two_sum(N::all(0x1p+0), e);
-    // whole_e = 2*sqrt(e)*both_e + (1 + e)
-    const N whole_e = t10 + t11;
-    const N t12 = quotient(N::all(0x1p+0), whole_e);
-    const N t13 = t12 * t12;
-    // z_e = gap_e/whole_e^2
-    z_e = gap_e * t13;
-    const N t14 = reciprocal_root(gap_e);
-    const N t15 = gap_e * t14;
-    // t_e = sqrt(gap_e)/whole_e
-    const N t_e = quotient(t15, whole_e);
-    t16 = arc_tangent<Tier>(t_e, z_e);
-    const N t17 = N::exact(N::all(0x1p+0)) + z_e;
-    const N t18 = quotient(t_e, t17);
-    // sine_e = 2*t_e/(1 + z_e)
-    sine_e = scaled(t18, 0x1p+1);
-  }
-  [[gnu::always_inline]] void stage_2() {
-    // step_e = 2*atan(t_e)
-    [[maybe_unused]] const N step_e = scaled(t16, 0x1p+1);
-    const T t19 = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1,
-        0x1.1a62633145c07p-53)) / leading(step_e));
-    const T t20 = t19 * -0x1p+1;
-    const N t21 = times(t16, t20);
-    t22 = near_sum(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53), t21);
-    distance = magnitude(t22);
-    [[maybe_unused]] const N t23 = -distance;
-    to_next = cancelling_sum(t16, t23);
-    const T t24 = t19 + (N::times_sign_of(N::all(0.5), leading(t22)) - 0.5);
-    const T t25 = t24 + N::all(0x1p+0);
-    // N_e = ceil(pi/step_e) - 1
-    N_e = t25 + N::all(-0x1p+0);
-    const T t26 = N_e * 0x1p+1;
-    // span_e = step_e*N_e
-    span_e = times(t16, t26);
-    [[maybe_unused]] const N t27 = -span_e;
-    // left_e = pi - span_e
-    left_e = cancelling_sum(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1,
-        0x1.1a62633145c07p-53), t27);
-    [[maybe_unused]] const N t28 = -left_e;
-    // next_e = step_e - left_e
-    next_e = cancelling_sum(step_e, t28);
-    // power_e = pow_(N_e)(sqrt(e))
-    power_e = power(root_e, N_e);
-    const T t29 = N::turn(N_e);
-    const T t30 = t29 * -0x1p+0;
-    // odd_e = 1 - turn_(N_e)
-    const T odd_e = N::all(0x1p+0) + t30;
-    // even_e = 1 + turn_(N_e)
-    const T even_e = N::all(0x1p+0) + t29;
-    t31 = odd_e * 0x1p-1;
-    t32 = even_e * 0x1p-1;
-    const N t33 = times(side_e, t32);
-    // last_side_e = odd_e/2 + even_e*side_e/2
-    const N last_side_e = N::exact(t31) + t33;
-    const N t34 = times(side_e, t31);
-    // open_side_e = even_e/2 + odd_e*side_e/2
-    const N open_side_e = N::exact(t32) + t34;
-    // last_reach_e = last_side_e/sine_e
-    last_reach_e = quotient(last_side_e, sine_e);
-    // open_reach_e = open_side_e/sine_e
-    open_reach_e = quotient(open_side_e, sine_e);
-    // last_sine_e = sin(left_e)
-    const auto of_left_e = sine_cosine<Tier>(left_e);
-    last_sine_e = of_left_e.sine;
-    // open_sine_e = sin(next_e)
-    const auto of_next_e = sine_cosine<Tier>(next_e);
-    open_sine_e = of_next_e.sine;
-    t36 = root_e * power_e;
-  }
-  [[gnu::always_inline]] void stage_3() {
-    const N t35 = power_e * open_sine_e;
-    // kept_e = power_e*open_sine_e*open_reach_e
-    const N kept_e = t35 * open_reach_e;
-    const N t37 = t36 * last_sine_e;
-    // parted_e = sqrt(e)*power_e*last_sine_e*last_reach_e
-    const N parted_e = t37 * last_reach_e;
-    const N t38 = times(kept_e, t31);
-    const N t39 = times(parted_e, t32);
-    // second_e = odd_e*kept_e/2 + even_e*parted_e/2
-    const N second_e = t38 + t39;
-    // speeds_e = kept_e + parted_e
-    const N speeds_e = kept_e + parted_e;
-    [[maybe_unused]] const N of_a_end = -speeds_e;
-    [[maybe_unused]] const N of_c_end = -second_e;
-    a_end = rounded(of_a_end);
-    b_end = N::to_result(N::all(0x0p+0));
-    c_end = rounded(of_c_end);
-    rho_end = N::to_result(N::all(0x0p+0));
-    doubt = doubt + doubt_of_sign(to_next, N::magnitude_of(leading(to_next)) * E[0] + E[1]);
-    doubt = doubt + doubt_of_sign(distance, N::magnitude_of(leading(t22)) * E[2] + E[3]);
+    doubt = doubt + doubt_of_sign(to_next, size_of(to_next) * E[0] + E[1]);
+    doubt = doubt + doubt_of_sign(distance, size_of(t26) * E[2] + E[3]);
     doubt = doubt + doubt_of_range(root_e, 0x0p+0, 0x1.00000000004p+0);
     doubt = doubt + doubt_of_range(loss_e, -0x1p+0, 0x1p+0);
     doubt = doubt + doubt_of_range(share_e, (N::is_wide ? 0x1p-80 : 0x1p-30), 0x1p+1);
@@ -390,15 +208,10 @@ struct Restitution {
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+190 :
-        0x1p+60) && in.w_B >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.w_B <= (is_wide ?
-        0x1p+128 : 0x1p+60) && in.e >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.e <=
-        0x1p+0) {
-      return f.template operator()<RestitutionBlock>();
-    }
-    if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+190 :
-        0x1p+60) && in.w_B >= 0x0p+0 && in.w_B <= 0x0p+0 && in.e >= (is_wide ?
-        0x0.0000000000001p-1022 : 0x1p-100) && in.e <= 0x1p+0) {
-      return f.template operator()<RestitutionWall>();
+        0x1p+60) && (in.w_B == 0 || in.w_B >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100)) &&
+        in.w_B <= (is_wide ? 0x1p+128 : 0x1p+60) && in.e >= (is_wide ? 0x0.0000000000001p-1022 :
+        0x1p-100) && in.e <= 0x1p+0) {
+      return f.template operator()<RestitutionGeneral>();
     }
     return 1.0;
   }

@@ -14,25 +14,18 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
+using namespace arithmetic;
 struct TerminalInputs {
   double alpha;
 };
 struct TerminalOutputs {
-  std::int64_t N_A;
-  std::int64_t N_B;
-  double a_t;
-  double b_t;
-  double c_t;
-  double rho;
+  std::int64_t N_A, N_B;
+  double a_t, b_t, c_t, rho;
 };
 struct TerminalColumns {
-  const double* alpha;
-  std::int64_t* N_A;
-  std::int64_t* N_B;
-  double* a_t;
-  double* b_t;
-  double* c_t;
-  double* rho;
+  const double *alpha;
+  std::int64_t *N_A, *N_B;
+  double *a_t, *b_t, *c_t, *rho;
   [[gnu::always_inline]] TerminalInputs get(std::size_t row) const { return {alpha[row]}; }
   [[gnu::always_inline]] void set(std::size_t row, const TerminalOutputs& out) const {
     N_A[row] = out.N_A;
@@ -43,19 +36,6 @@ struct TerminalColumns {
     rho[row] = out.rho;
   }
 };
-template <class Tier> inline constexpr double TerminalSmallBounds[12] = {};
-template <> inline constexpr double TerminalSmallBounds<Accurate>[12] = {0x1.516p-74, 0x1.bcap-150,
-    0x1.053p-74, 0x1.06p-74, 0x1.9cdp-74, 0x1.053p-72, 0x1.06p-72, 0x1.0c2p-148, 0x1.801p-52,
-    0x1.147p-75, 0x1.801p-52, 0x1.ba5p-76};
-template <> inline constexpr double TerminalSmallBounds<Fast>[12] = {0x1.2ap-52, 0x1.5adp-106,
-    0x1.e08p-53, 0x1.c94p-53, 0x1.6f5p-52, 0x1.e08p-51, 0x1.c94p-51, 0x1.985p-105, 0x1.801p-52,
-    0x1.f2dp-54, 0x1.801p-52, 0x1.8f1p-54};
-template <> inline constexpr double TerminalSmallBounds<Slow>[12] = {0x1.e4p-97, 0x1.a5bp-195,
-    0x1.53dp-96, 0x1.2a4p-97, 0x1.425p-96, 0x1.d1ap-94, 0x1.2a4p-95, 0x1.5b6p-194, 0x1.801p-52,
-    0x1.54ap-98, 0x1.801p-52, 0x1.12dp-98};
-template <> inline constexpr double TerminalSmallBounds<Ziv>[12] = {0x1.a14p+5, 0x1.451p-171,
-    0x1.e73p+5, 0x1.0b6p+5, 0x1.125p+6, 0x1.e73p+7, 0x1.0b6p+7, 0x1.173p-170, 0x1.001p+0,
-    0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3};
 /// terminal, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1.
 /// Theorem: N_A = ceil(pi/(2*h) - 1/2)
 /// Theorem: N_B = ceil(pi/(2*h) - 1)
@@ -77,26 +57,35 @@ struct TerminalSmall {
   T alpha, N_A, N_B;
   R doubt, a_t, b_t, c_t, rho;
   N w, t, half_h, t4, rest, to_next, rest_sine, rest_cosine;
-  static constexpr const double* E = TerminalSmallBounds<typename Tier::Bounds>;
+  static constexpr double bounds[4][12] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.2ap-52, 0x1.5adp-106, 0x1.e08p-53, 0x1.c94p-53, 0x1.6f5p-52, 0x1.e08p-51, 0x1.c94p-51,
+          0x1.985p-105, 0x1.801p-52, 0x1.f2dp-54, 0x1.801p-52, 0x1.8f1p-54},
+      {0x1.516p-74, 0x1.bcap-150, 0x1.053p-74, 0x1.06p-74, 0x1.9cdp-74, 0x1.053p-72, 0x1.06p-72,
+          0x1.0c2p-148, 0x1.801p-52, 0x1.147p-75, 0x1.801p-52, 0x1.ba5p-76},
+      {0x1.e4p-97, 0x1.a5bp-195, 0x1.53dp-96, 0x1.2a4p-97, 0x1.425p-96, 0x1.d1ap-94, 0x1.2a4p-95,
+          0x1.5b6p-194, 0x1.801p-52, 0x1.54ap-98, 0x1.801p-52, 0x1.12dp-98},
+      {0x1.a14p+5, 0x1.451p-171, 0x1.e73p+5, 0x1.0b6p+5, 0x1.125p+6, 0x1.e73p+7, 0x1.0b6p+7,
+          0x1.173p-170, 0x1.001p+0, 0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3}};
+  static constexpr const double* E = bounds[Tier::number];
   TerminalSmall() = default;
   [[gnu::always_inline]] explicit TerminalSmall(const TerminalInputs& in) : alpha(N::all(in.alpha))
       {}
   [[gnu::always_inline]] TerminalOutputs outputs() const { return {N::to_whole(N_A),
       N::to_whole(N_B), a_t, b_t, c_t, rho}; }
   [[gnu::always_inline]] void load_inputs(const TerminalColumns& columns, std::size_t row) {
-    alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
+    alpha = load<Simd>(columns.alpha + row);
   }
-  [[gnu::always_inline]] arithmetic::SimdMask is_in_case([[maybe_unused]] const TerminalColumns&
-      columns, [[maybe_unused]] std::size_t row) const {
+  [[gnu::always_inline]] SimdMask is_in_case([[maybe_unused]] const TerminalColumns& columns,
+      [[maybe_unused]] std::size_t row) const {
     return (alpha >= 0x1p-100) & (alpha <= 0x1.fffffffffffffp-1);
   }
   [[gnu::always_inline]] void store_outputs(const TerminalColumns& columns, std::size_t row) const {
-    arithmetic::store(columns.N_A + row, arithmetic::to_whole(N_A));
-    arithmetic::store(columns.N_B + row, arithmetic::to_whole(N_B));
-    arithmetic::store(columns.a_t + row, a_t);
-    arithmetic::store(columns.b_t + row, b_t);
-    arithmetic::store(columns.c_t + row, c_t);
-    arithmetic::store(columns.rho + row, rho);
+    store(columns.N_A + row, to_whole(N_A));
+    store(columns.N_B + row, to_whole(N_B));
+    store(columns.a_t + row, a_t);
+    store(columns.b_t + row, b_t);
+    store(columns.c_t + row, c_t);
+    store(columns.rho + row, rho);
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
@@ -123,8 +112,7 @@ struct TerminalSmall {
     t4 = near_sum(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54), t3);
     // rest = sqrt((pi/2 - h*N_A)^2)
     rest = magnitude(t4);
-    [[maybe_unused]] const N t5 = -rest;
-    to_next = cancelling_sum(half_h, t5);
+    to_next = cancelling_sum(half_h, -rest);
     // N_B = ceil(pi/(2*h) - 1)
     N_B = N_A + (N::times_sign_of(N::all(0.5), leading(t4)) - 0.5);
     // rest_sine = sin(rest)
@@ -140,40 +128,27 @@ struct TerminalSmall {
     const N w_cosine = w * rest_cosine;
     // t_plus = t_cosine + rest_sine
     const N t_plus = t_cosine + rest_sine;
-    [[maybe_unused]] const N t6 = -rest_sine;
     // t_minus = t_cosine - rest_sine
-    const N t_minus = cancelling_sum(t_cosine, t6);
+    const N t_minus = cancelling_sum(t_cosine, -rest_sine);
     // w_plus = w_cosine + rest_sine
     const N w_plus = w_cosine + rest_sine;
-    const N t7 = w_plus * t_cosine;
+    const N t5 = w_plus * t_cosine;
     // b_form = 2*w_plus*t_cosine
-    [[maybe_unused]] const N b_form = scaled(t7, 0x1p+1);
-    const N t8 = t_minus * t_plus;
-    [[maybe_unused]] const N of_a_t = -t8;
-    const N t9 = t_minus * w_cosine;
-    [[maybe_unused]] const N of_c_t = scaled(t9, 0x1p+1);
+    [[maybe_unused]] const N b_form = scaled(t5, 0x1p+1);
+    const N t6 = t_minus * t_plus;
+    [[maybe_unused]] const N of_a_t = -t6;
+    const N t7 = t_minus * w_cosine;
+    [[maybe_unused]] const N of_c_t = scaled(t7, 0x1p+1);
     const N of_rho = b_form * b_form;
-    a_t = arithmetic::rounded_by<Tier>(of_a_t, N::magnitude_of(leading(t_plus)) * E[0] + E[1],
-        doubt);
-    b_t = arithmetic::rounded_by<Tier>(b_form, N::magnitude_of(leading(t_cosine)) *
-        (N::magnitude_of(leading(w_plus)) * E[2] + E[3]), doubt);
-    c_t = arithmetic::rounded_by<Tier>(of_c_t, N::magnitude_of(leading(w_cosine)) * E[4], doubt);
-    rho = arithmetic::rounded_by<Tier>(of_rho, N::magnitude_of(leading(t_cosine)) *
-        (N::magnitude_of(leading(t_cosine)) * (N::magnitude_of(leading(w_plus)) *
-        (N::magnitude_of(leading(w_plus)) * E[5] + E[6]) + E[7])), doubt);
-    doubt = doubt + doubt_of_sign(to_next, N::magnitude_of(leading(to_next)) * E[8] + E[9]);
-    doubt = doubt + doubt_of_sign(rest, N::magnitude_of(leading(t4)) * E[10] + E[11]);
+    a_t = rounded_by<Tier>(of_a_t, size_of(t_plus) * E[0] + E[1], doubt);
+    b_t = rounded_by<Tier>(b_form, size_of(t_cosine) * (size_of(w_plus) * E[2] + E[3]), doubt);
+    c_t = rounded_by<Tier>(of_c_t, size_of(w_cosine) * E[4], doubt);
+    rho = rounded_by<Tier>(of_rho, size_of(t_cosine) * (size_of(t_cosine) * (size_of(w_plus) *
+        (size_of(w_plus) * E[5] + E[6]) + E[7])), doubt);
+    doubt = doubt + doubt_of_sign(to_next, size_of(to_next) * E[8] + E[9]);
+    doubt = doubt + doubt_of_sign(rest, size_of(t4) * E[10] + E[11]);
   }
 };
-template <class Tier> inline constexpr double TerminalFirstBounds[4] = {};
-template <> inline constexpr double TerminalFirstBounds<Accurate>[4] = {0x1.001p-101, 0x1.1c1p-98,
-    0x1.441p-99, 0x1.d21p-99};
-template <> inline constexpr double TerminalFirstBounds<Fast>[4] = {0x1.001p-101, 0x1.1c1p-98,
-    0x1.441p-99, 0x1.d21p-99};
-template <> inline constexpr double TerminalFirstBounds<Slow>[4] = {0x1.001p-101, 0x1.1c1p-98,
-    0x1.441p-99, 0x1.d21p-99};
-template <> inline constexpr double TerminalFirstBounds<Ziv>[4] = {0x1.401p+2, 0x1.c01p+4,
-    0x1.001p+4, 0x1.c01p+3};
 /// terminal, first: alpha from 0x1p+0 to 0x1p+300.
 /// Theorem: N_A = 1
 /// Theorem: N_B = 1
@@ -189,7 +164,12 @@ struct TerminalFirst {
   T alpha;
   R doubt, a_t, b_t, c_t, rho;
   N of_a_t, t2, of_b_t, t4, of_c_t, of_rho;
-  static constexpr const double* E = TerminalFirstBounds<typename Tier::Bounds>;
+  static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
+      {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
+      {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
+      {0x1.401p+2, 0x1.c01p+4, 0x1.001p+4, 0x1.c01p+3}};
+  static constexpr const double* E = bounds[Tier::number];
   TerminalFirst() = default;
   [[gnu::always_inline]] explicit TerminalFirst(const TerminalInputs& in) : alpha(N::all(in.alpha))
       {}
@@ -217,10 +197,10 @@ struct TerminalFirst {
   [[gnu::always_inline]] void stage_2() {
   }
   [[gnu::always_inline]] void stage_3() {
-    a_t = arithmetic::rounded_by<Tier>(of_a_t, N::magnitude_of(leading(of_a_t)) * E[0], doubt);
-    b_t = arithmetic::rounded_by<Tier>(of_b_t, N::magnitude_of(leading(t2)) * E[1], doubt);
-    c_t = arithmetic::rounded_by<Tier>(of_c_t, N::magnitude_of(leading(t4)) * E[2], doubt);
-    rho = arithmetic::rounded_by<Tier>(of_rho, N::magnitude_of(leading(of_rho)) * E[3], doubt);
+    a_t = rounded_by<Tier>(of_a_t, size_of(of_a_t) * E[0], doubt);
+    b_t = rounded_by<Tier>(of_b_t, size_of(t2) * E[1], doubt);
+    c_t = rounded_by<Tier>(of_c_t, size_of(t4) * E[2], doubt);
+    rho = rounded_by<Tier>(of_rho, size_of(of_rho) * E[3], doubt);
   }
 };
 /// What its callers need to know of terminal.

@@ -14,23 +14,18 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
+using namespace arithmetic;
 struct VelocitiesInputs {
   double alpha;
   std::int64_t n;
 };
 struct VelocitiesOutputs {
-  double a;
-  double b;
-  double c;
-  double c_prime;
+  double a, b, c, c_prime;
 };
 struct VelocitiesColumns {
-  const double* alpha;
-  const std::int64_t* n;
-  double* a;
-  double* b;
-  double* c;
-  double* c_prime;
+  const double *alpha;
+  const std::int64_t *n;
+  double *a, *b, *c, *c_prime;
   [[gnu::always_inline]] VelocitiesInputs get(std::size_t row) const { return {alpha[row], n[row]};
       }
   [[gnu::always_inline]] void set(std::size_t row, const VelocitiesOutputs& out) const {
@@ -40,15 +35,6 @@ struct VelocitiesColumns {
     c_prime[row] = out.c_prime;
   }
 };
-template <class Tier> inline constexpr double VelocitiesSmallBounds[7] = {};
-template <> inline constexpr double VelocitiesSmallBounds<Accurate>[7] = {0x1.33ep-74, 0x1.33ep-74,
-    0x1.725p-148, 0x1.4b3p-73, 0x1.79ep-73, 0x1.1c9p-72, 0x1.e65p-73};
-template <> inline constexpr double VelocitiesSmallBounds<Fast>[7] = {0x1.48p-52, 0x1.48p-52,
-    0x1.a43p-104, 0x1.6a7p-51, 0x1.949p-51, 0x1.32fp-50, 0x1.05ap-50};
-template <> inline constexpr double VelocitiesSmallBounds<Slow>[7] = {0x1.197p-95, 0x1.15dp-95,
-    0x1.2d7p-190, 0x1.473p-94, 0x1.65p-94, 0x1.0ep-93, 0x1.c8ep-94};
-template <> inline constexpr double VelocitiesSmallBounds<Ziv>[7] = {0x1.596p+4, 0x1.36ep+4,
-    0x1.798p-172, 0x1.819p+5, 0x1.986p+5, 0x1.338p+6, 0x1.035p+6};
 /// velocities, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, n from 0 to 1125899906842624,
 ///   phase between -0x1.0624dd2f1a9fcp-10 and 0x1.0c189374bc6a8p+1.
 /// Theorem: a_n = 1*(plus_n*minus_n)
@@ -67,26 +53,31 @@ struct VelocitiesSmall {
   T alpha, n, t2;
   R doubt, a, b, c, c_prime;
   N w, t, half_h, phase, sine, cosine;
-  static constexpr const double* E = VelocitiesSmallBounds<typename Tier::Bounds>;
+  static constexpr double bounds[4][7] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.48p-52, 0x1.48p-52, 0x1.a43p-104, 0x1.6a7p-51, 0x1.949p-51, 0x1.32fp-50, 0x1.05ap-50},
+      {0x1.33ep-74, 0x1.33ep-74, 0x1.725p-148, 0x1.4b3p-73, 0x1.79ep-73, 0x1.1c9p-72, 0x1.e65p-73},
+      {0x1.197p-95, 0x1.15dp-95, 0x1.2d7p-190, 0x1.473p-94, 0x1.65p-94, 0x1.0ep-93, 0x1.c8ep-94},
+      {0x1.596p+4, 0x1.36ep+4, 0x1.798p-172, 0x1.819p+5, 0x1.986p+5, 0x1.338p+6, 0x1.035p+6}};
+  static constexpr const double* E = bounds[Tier::number];
   VelocitiesSmall() = default;
   [[gnu::always_inline]] explicit VelocitiesSmall(const VelocitiesInputs& in) :
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
   [[gnu::always_inline]] VelocitiesOutputs outputs() const { return {a, b, c, c_prime}; }
   [[gnu::always_inline]] void load_inputs(const VelocitiesColumns& columns, std::size_t row) {
-    alpha = arithmetic::load<arithmetic::Simd>(columns.alpha + row);
-    n = arithmetic::to_real(arithmetic::load<arithmetic::SimdMask>(columns.n + row));
+    alpha = load<Simd>(columns.alpha + row);
+    n = to_real(load<SimdMask>(columns.n + row));
   }
-  [[gnu::always_inline]] arithmetic::SimdMask is_in_case([[maybe_unused]] const VelocitiesColumns&
-      columns, [[maybe_unused]] std::size_t row) const {
+  [[gnu::always_inline]] SimdMask is_in_case([[maybe_unused]] const VelocitiesColumns& columns,
+      [[maybe_unused]] std::size_t row) const {
     return (alpha >= 0x1p-300) & (alpha <= 0x1.fffffffffffffp-1) & (n >= 0x0p+0) & (n <= 0x1p+50) &
-        (arithmetic::to_whole(n) == arithmetic::load<arithmetic::SimdMask>(columns.n + row));
+        (to_whole(n) == load<SimdMask>(columns.n + row));
   }
   [[gnu::always_inline]] void store_outputs(const VelocitiesColumns& columns, std::size_t row) const
       {
-    arithmetic::store(columns.a + row, a);
-    arithmetic::store(columns.b + row, b);
-    arithmetic::store(columns.c + row, c);
-    arithmetic::store(columns.c_prime + row, c_prime);
+    store(columns.a + row, a);
+    store(columns.b + row, b);
+    store(columns.c + row, c);
+    store(columns.c_prime + row, c_prime);
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
@@ -119,37 +110,24 @@ struct VelocitiesSmall {
     const N w_sine = w * sine;
     // plus_n = cosine_n + t_sine_n
     const N plus = cancelling_sum(cosine, t_sine);
-    [[maybe_unused]] const N t3 = -t_sine;
     // minus_n = cosine_n - t_sine_n
-    const N minus = cancelling_sum(cosine, t3);
+    const N minus = cancelling_sum(cosine, -t_sine);
     // along_n = cosine_n + w_sine_n
     const N along = cancelling_sum(cosine, w_sine);
     const N of_a = plus * minus;
-    const N t4 = along * t_sine;
-    [[maybe_unused]] const N of_b = scaled(t4, 0x1p+1);
-    const N t5 = plus * w_sine;
-    [[maybe_unused]] const N of_c = scaled(t5, 0x1p+1);
-    const N t6 = minus * w_sine;
-    [[maybe_unused]] const N of_c_prime = scaled(t6, -0x1p+1);
-    a = arithmetic::rounded_by<Tier>(of_a, N::magnitude_of(leading(plus)) * E[0] +
-        N::magnitude_of(leading(minus)) * E[1] + E[2], doubt);
-    b = arithmetic::rounded_by<Tier>(of_b, N::magnitude_of(leading(t_sine)) *
-        (N::magnitude_of(leading(w_sine)) * E[3] + E[4]), doubt);
-    c = arithmetic::rounded_by<Tier>(of_c, N::magnitude_of(leading(w_sine)) * E[5], doubt);
-    c_prime = arithmetic::rounded_by<Tier>(of_c_prime, N::magnitude_of(leading(w_sine)) * E[6],
-        doubt);
+    const N t3 = along * t_sine;
+    [[maybe_unused]] const N of_b = scaled(t3, 0x1p+1);
+    const N t4 = plus * w_sine;
+    [[maybe_unused]] const N of_c = scaled(t4, 0x1p+1);
+    const N t5 = minus * w_sine;
+    [[maybe_unused]] const N of_c_prime = scaled(t5, -0x1p+1);
+    a = rounded_by<Tier>(of_a, size_of(plus) * E[0] + size_of(minus) * E[1] + E[2], doubt);
+    b = rounded_by<Tier>(of_b, size_of(t_sine) * (size_of(w_sine) * E[3] + E[4]), doubt);
+    c = rounded_by<Tier>(of_c, size_of(w_sine) * E[5], doubt);
+    c_prime = rounded_by<Tier>(of_c_prime, size_of(w_sine) * E[6], doubt);
     doubt = doubt + doubt_of_range(phase, -0x1.0624dd2f1a9fcp-10, 0x1.0c189374bc6a8p+1);
   }
 };
-template <class Tier> inline constexpr double VelocitiesFirstBounds[4] = {};
-template <> inline constexpr double VelocitiesFirstBounds<Accurate>[4] = {0x1.001p-101, 0x1.1c1p-98,
-    0x1.401p-101, 0x1.441p-99};
-template <> inline constexpr double VelocitiesFirstBounds<Fast>[4] = {0x1.001p-101, 0x1.1c1p-98,
-    0x1.401p-101, 0x1.441p-99};
-template <> inline constexpr double VelocitiesFirstBounds<Slow>[4] = {0x1.001p-101, 0x1.1c1p-98,
-    0x1.401p-101, 0x1.441p-99};
-template <> inline constexpr double VelocitiesFirstBounds<Ziv>[4] = {0x1.401p+2, 0x1.c01p+4,
-    0x1.801p+2, 0x1.001p+4};
 /// velocities, first: alpha from 0x1p+0 to 0x1p+300, n from 1 to 1.
 /// Theorem: a_1 = 1*(lead*per_mass)
 /// Theorem: b_1 = 1*(4*share*per_mass)
@@ -163,7 +141,12 @@ struct VelocitiesFirst {
   T alpha, n;
   R doubt, a, b, c, c_prime;
   N per_mass, of_a, t2, of_b, of_c, t4, of_c_prime;
-  static constexpr const double* E = VelocitiesFirstBounds<typename Tier::Bounds>;
+  static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
+      {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
+      {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
+      {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
+      {0x1.401p+2, 0x1.c01p+4, 0x1.801p+2, 0x1.001p+4}};
+  static constexpr const double* E = bounds[Tier::number];
   VelocitiesFirst() = default;
   [[gnu::always_inline]] explicit VelocitiesFirst(const VelocitiesInputs& in) :
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
@@ -190,10 +173,10 @@ struct VelocitiesFirst {
   [[gnu::always_inline]] void stage_2() {
   }
   [[gnu::always_inline]] void stage_3() {
-    a = arithmetic::rounded_by<Tier>(of_a, N::magnitude_of(leading(of_a)) * E[0], doubt);
-    b = arithmetic::rounded_by<Tier>(of_b, N::magnitude_of(leading(t2)) * E[1], doubt);
-    c = arithmetic::rounded_by<Tier>(of_c, N::magnitude_of(leading(per_mass)) * E[2], doubt);
-    c_prime = arithmetic::rounded_by<Tier>(of_c_prime, N::magnitude_of(leading(t4)) * E[3], doubt);
+    a = rounded_by<Tier>(of_a, size_of(of_a) * E[0], doubt);
+    b = rounded_by<Tier>(of_b, size_of(t2) * E[1], doubt);
+    c = rounded_by<Tier>(of_c, size_of(per_mass) * E[2], doubt);
+    c_prime = rounded_by<Tier>(of_c_prime, size_of(t4) * E[3], doubt);
   }
 };
 /// What its callers need to know of velocities.

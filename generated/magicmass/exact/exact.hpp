@@ -39,14 +39,13 @@ template <class Number>
 struct VelocitiesExact {
   Number a, b, c, c_prime;
 };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha > 0,
-///   n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: as the
+///   error at its end says.
 /// Theorems: cycle.start_vector, cycle.c_start, power.V_CM, exact.b_before, exact.a, exact.b,
 ///   exact.c, exact.c_prime.
 /// Operations: none; or products: 6, quotients: 3, sums: 9, and those of the calls.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   if (n >= 0 && n <= 0) {
     return {Number(1), Number(0), Number(0), Number(0)};
   }
@@ -54,19 +53,19 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
     const std::pair<Number, Number> T_at_n = T_doubled(alpha, n);
     // V_CM = 1*(1/(2 + alpha))
     const Number V_CM = Number(1) / (Number(2) + alpha);
-    const Number t5 = Number(1) + alpha;
-    const Number t6 = t5 * T_at_n.second;
+    const Number t4 = Number(1) + alpha;
+    const Number t5 = t4 * T_at_n.second;
     // b_before_n = V_CM*(1 - 2*T_(2*n) + (1 + alpha)*T_(2*n + 1))
-    const Number b_before = V_CM * (Number(1) - Number(2) * T_at_n.first + t6);
+    const Number b_before = V_CM * (Number(1) - Number(2) * T_at_n.first + t5);
     // a_n = V_CM*(1 + (1 + alpha)*T_(2*n))
-    const Number a = V_CM * (Number(1) + t5 * T_at_n.first);
+    const Number a = V_CM * (Number(1) + t4 * T_at_n.first);
     // b_n = V_CM*(1 - (1 + alpha)*T_(2*n + 1))
-    const Number b = V_CM * (Number(1) - t6);
-    const Number t13 = Number(1) - a;
+    const Number b = V_CM * (Number(1) - t5);
+    const Number t10 = Number(1) - a;
     // c_n = (1 - a_n - b_before_n)/alpha
-    const Number c = (t13 - b_before) / alpha;
+    const Number c = (t10 - b_before) / alpha;
     // c'_n = (1 - a_n - b_n)/alpha
-    const Number c_prime = (t13 - b) / alpha;
+    const Number c_prime = (t10 - b) / alpha;
     return {a, b, c, c_prime};
   }
   throw std::domain_error("velocities_exact: allowed: "
@@ -77,13 +76,12 @@ template <class Number>
 struct TerminalExact {
   Number a_t, b_t, c_t, rho;
 };
-/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain:
-///   alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904.
+/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain: as
+///   the error at its end says.
 /// Theorems: power.V_CM, exact.a_t, exact.b_t, terminal.definitions, evaluators_end.def_rho.
 /// Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std::int64_t N_B) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   if (N_A >= 1 && N_A <= 4611686018427387904 && N_B >= 1 && N_B <= 4611686018427387904) {
     const std::pair<Number, Number> T_at_N_A = T_doubled(alpha, N_A);
     const std::pair<Number, Number> T_at_N_B = T_doubled(alpha, N_B);
@@ -111,10 +109,9 @@ struct ShapeExact {
 /// shape: K, q_e. Domain: M_A > 0, w_B >= 0, M_C > 0, e > 0.
 /// Theorems: collapse.def_K, bodies.def_q_e.
 /// Operations: products: 3, quotients: 4, sums: 4.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   const Number t1 = Number(1) + e;
   // K = (1 + e)^2*M_A/(4*e*(M_A + M_C)*(1 + w_B*M_C))
   const Number K = t1 * t1 * M_A / e / (M_A + M_C) / (Number(1) + w_B * M_C) / Number(4);
@@ -133,10 +130,9 @@ struct TwoCollisionsExact {
 ///   evaluators_restitution.def_six, evaluators_restitution.a_two, evaluators_restitution.b_two,
 ///   evaluators_restitution.c_two, evaluators_restitution.def_rho_two.
 /// Operations: products: 16, quotients: 5, sums: 9.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number& w_B, const Number&
     e) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   const Number t1 = Number(1) + e;
   const Number t2 = t1 * t1;
   const Number t4 = Number(1) + M_C;

@@ -17,13 +17,12 @@ template <class Number>
 struct VelocitiesClosed {
   Number a, b, c, c_prime;
 };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
-///   0x1p-300 to 0x1p+20, n from 0 to 1125899906842624.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: as the
+///   error at its end says.
 /// Theorems: rotation.psi, power.V_CM, power.a, power.b, power.c, power.c_prime.
 /// Operations: arctangents: 1, cosines: 3, products: 10, quotients: 7, roots: 1, sines: 3, sums: 8.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+20) && n >= 0 && n <= 1125899906842624) {
     const Number t1 = Number(2) + alpha;
@@ -36,12 +35,12 @@ VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) 
     const Number a = V_CM * (Number(1) + cos(Number(n) * psi) / t8);
     // b_n = V_CM*(1 - cos((n + 1/2)*psi)/cos(psi/2))
     const Number b = V_CM * (Number(1) - cos((Number(n) + Number(1) / Number(2)) * psi) / t8);
-    const Number t21 = sin(psi / Number(4));
+    const Number t20 = sin(psi / Number(4));
     // c_n = V_CM*(1 + sin((n - 1/4)*psi)/sin(psi/4))
-    const Number c = V_CM * (Number(1) + sin((Number(n) - Number(1) / Number(4)) * psi) / t21);
+    const Number c = V_CM * (Number(1) + sin((Number(n) - Number(1) / Number(4)) * psi) / t20);
     // c'_n = V_CM*(1 - sin((n + 1/4)*psi)/sin(psi/4))
     const Number c_prime = V_CM * (Number(1) - sin((Number(n) + Number(1) / Number(4)) * psi) /
-        t21);
+        t20);
     return {a, b, c, c_prime};
   }
   throw std::domain_error("velocities_closed: allowed: "
@@ -52,15 +51,14 @@ struct TerminalClosed {
   Number N_A, N_B, a_t, b_t, c_t, rho;
 };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: alpha from 0x1p-40 to 0x1p+20.
+///   Domain: as the error at its end says.
 /// Theorems: rotation.psi, counting.N_A, counting.N_B, terminal.a, terminal.b,
 ///   terminal.definitions, evaluators_end.def_rho.
 /// Operations: arctangents: 1, ceilings: 2, cosines: 2, products: 7, quotients: 4, roots: 1, sums:
 ///   9.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 TerminalClosed<Number> terminal_closed(const Number& alpha) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::ceil, std::cos, std::sqrt;
   if (alpha >= Number(0x1p-40) && alpha <= Number(0x1p+20)) {
     const Number t1 = Number(2) + alpha;
@@ -88,12 +86,11 @@ template <class Number>
 struct AngleClosed {
   Number psi;
 };
-/// angle (def:psi): psi. Domain: alpha from 0x1p-300 to 0x1p+300.
+/// angle (def:psi): psi. Domain: as the error at its end says.
 /// Theorems: rotation.psi.
 /// Operations: arctangents: 1, products: 2, roots: 1, sums: 1.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 AngleClosed<Number> angle_closed(const Number& alpha) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     // psi = 2*atan(sqrt(alpha*(2 + alpha)))
@@ -106,12 +103,11 @@ template <class Number>
 struct MagicClosed {
   Number alpha_;
 };
-/// magic (exact:ak): alpha_. Domain: k from 1 to 1125899906842624.
+/// magic (exact:ak): alpha_. Domain: as the error at its end says.
 /// Theorems: ratios.alpha_k_paper.
 /// Operations: cosines: 1, products: 1, quotients: 2, sums: 2.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 MagicClosed<Number> magic_closed(std::int64_t k) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::cos;
   if (k >= 1 && k <= 1125899906842624) {
     // alpha_k = -1 + 1/cos(pi/(2*k + 1))
@@ -125,12 +121,11 @@ template <class Number>
 struct DeficientClosed {
   Number beta_;
 };
-/// deficient (exact:bk): beta_. Domain: k from 1 to 1125899906842624.
+/// deficient (exact:bk): beta_. Domain: as the error at its end says.
 /// Theorems: ratios.beta_k_paper.
 /// Operations: cosines: 1, products: 1, quotients: 2, sums: 2.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 DeficientClosed<Number> deficient_closed(std::int64_t k) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::cos;
   if (k >= 1 && k <= 1125899906842624) {
     // beta_k = -1 + 1/cos(pi/(2*k + 2))

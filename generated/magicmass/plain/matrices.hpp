@@ -13,71 +13,67 @@
 #include <stdexcept>
 
 namespace magicmass::generated {
-/// Gamma_A (eq:Gamma): Gamma_A. Domain: alpha from 0x1p-300 to 0x1p+300.
+/// Gamma_A (eq:Gamma): Gamma_A. Domain: as the error at its end says.
 /// Theorems: ball.Gamma, cycle.Gamma_A.
 /// Operations: products: 1, quotients: 2, roots: 1, sums: 2.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    const Number t3 = Number(1) + alpha;
+    const Number t2 = Number(1) + alpha;
     // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
     //   alpha)/(1 + alpha)]
-    const Number Gamma_11 = (Number(1) - alpha) / t3;
-    const Number Gamma_12 = Number(2) * sqrt(alpha) / t3;
+    const Number Gamma_11 = (Number(1) - alpha) / t2;
+    const Number Gamma_12 = Number(2) * sqrt(alpha) / t2;
     return {{{Gamma_11, Number(0), Gamma_12}, {Number(0), Number(1), Number(0)}, {Gamma_12,
         Number(0), -Gamma_11}}};
   }
   throw std::domain_error("Gamma_A: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
-/// Gamma_B (eq:Gamma): Gamma_B. Domain: alpha from 0x1p-300 to 0x1p+300.
+/// Gamma_B (eq:Gamma): Gamma_B. Domain: as the error at its end says.
 /// Theorems: ball.Gamma, cycle.Gamma_B.
 /// Operations: products: 1, quotients: 2, roots: 1, sums: 2.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    const Number t3 = Number(1) + alpha;
+    const Number t2 = Number(1) + alpha;
     // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
     //   alpha)/(1 + alpha)]
-    const Number Gamma_11 = (Number(1) - alpha) / t3;
-    const Number Gamma_12 = Number(2) * sqrt(alpha) / t3;
+    const Number Gamma_11 = (Number(1) - alpha) / t2;
+    const Number Gamma_12 = Number(2) * sqrt(alpha) / t2;
     return {{{Number(1), Number(0), Number(0)}, {Number(0), Gamma_11, Gamma_12}, {Number(0),
         Gamma_12, -Gamma_11}}};
   }
   throw std::domain_error("Gamma_B: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
-/// Lambda (eq:Lambda): Lambda. Domain: alpha from 0x1p-300 to 0x1p+300.
+/// Lambda (eq:Lambda): Lambda. Domain: as the error at its end says.
 /// Theorems: cycle.Lambda.
 /// Operations: products: 8, quotients: 3, roots: 1, sums: 2.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    const Number t2 = Number(1) - alpha;
-    const Number t3 = Number(1) + alpha;
+    const Number t1 = Number(1) - alpha;
+    const Number t2 = Number(1) + alpha;
     // Lambda = [(1 - alpha)/(1 + alpha), 0, 2*sqrt(alpha)/(1 + alpha); 4*alpha/(1 + alpha)^2, (1 -
     //   alpha)/(1 + alpha), -2*sqrt(alpha)*(1 - alpha)/(1 + alpha)^2; -2*sqrt(alpha)*(1 - alpha)/(1
     //   + alpha)^2, 2*sqrt(alpha)/(1 + alpha), (1 - alpha)^2/(1 + alpha)^2]
-    const Number Lambda_11 = t2 / t3;
-    const Number t5 = Number(2) * sqrt(alpha);
-    const Number Lambda_13 = t5 / t3;
-    const Number t7 = Number(1) / t3;
-    const Number t8 = t7 * t7;
-    return {{{Lambda_11, Number(0), Lambda_13}, {Number(4) * alpha * t8, Lambda_11, -t5 * t2 * t8},
-        {-t5 * t2 * t8, Lambda_13, t2 * t2 * t8}}};
+    const Number Lambda_11 = t1 / t2;
+    const Number t4 = Number(2) * sqrt(alpha);
+    const Number Lambda_13 = t4 / t2;
+    const Number t6 = Number(1) / t2;
+    const Number t7 = t6 * t6;
+    return {{{Lambda_11, Number(0), Lambda_13}, {Number(4) * alpha * t7, Lambda_11, -t4 * t1 * t7},
+        {-t4 * t1 * t7, Lambda_13, t1 * t1 * t7}}};
   }
   throw std::domain_error("Lambda: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
-/// R (def:R): R. Domain: alpha from 0x1p-300 to 0x1p+300.
+/// R (def:R): R. Domain: as the error at its end says.
 /// Theorems: rotation.R.
 /// Operations: quotients: 6, roots: 3, sums: 1.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     const Number t1 = sqrt(Number(2));
@@ -94,12 +90,11 @@ std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
   }
   throw std::domain_error("R: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
-/// lambda_3 (eq:lambda-3): lambda_3. Domain: x from -0x1p+50 to 0x1p+50.
+/// lambda_3 (eq:lambda-3): lambda_3. Domain: as the error at its end says.
 /// Theorems: rotation.lambda_3.
 /// Operations: cosines: 1, sines: 1.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> lambda_3(const Number& x) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::cos, std::sin;
   if (x >= Number(-0x1p+50) && x <= Number(0x1p+50)) {
     // lambda_3(x) = [cos(x), -sin(x), 0; sin(x), cos(x), 0; 0, 0, 1]

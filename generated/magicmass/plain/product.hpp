@@ -17,14 +17,13 @@ template <class Number>
 struct VelocitiesProduct {
   Number a, b, c, c_prime;
 };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
-///   0x1p-300 to 0x1p+300, n from 0 to 1125899906842624.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: as the
+///   error at its end says.
 /// Theorems: rotation.psi, power.V_CM, power.a_product, power.b_product, power.c_product,
 ///   power.c_prime_product.
 /// Operations: arctangents: 1, cosines: 2, products: 15, quotients: 5, roots: 1, sines: 3, sums: 5.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
     const Number t1 = Number(2) + alpha;

@@ -17,15 +17,12 @@ template <class Number>
 struct AngleRestitution {
   Number h_e;
 };
-/// angle: h_e. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0.
+/// angle: h_e. Domain: as the error at its end says.
 /// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.h_e.
 /// Operations: arctangents: 1, products: 3, quotients: 5, roots: 4, sums: 3.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
@@ -48,19 +45,15 @@ template <class Number>
 struct CountRestitution {
   Number N_any;
 };
-/// count: N_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
-///   -0x1p+32 to 0x1p+32, step_sine between 0x1p-128 and 0x1p+1.
+/// count: N_any. Domain: as the error at its end says.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, wedge.kappa,
 ///   bodies.phase_e, bodies.N_any.
 /// Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sines: 1, sums:
 ///   8.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_any.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::ceil, std::sin, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
@@ -99,23 +92,16 @@ template <class Number>
 struct AtRestitution {
   Number B_at, A_at, C_at;
 };
-/// at: B_at, A_at, C_at. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
-///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
-///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0
-///   to 0x1p+32, j from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j)
-///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and
-///   0x1p+128.
+/// at: B_at, A_at, C_at. Domain: as the error at its end says.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_now_side,
 ///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
 ///   bodies.before, bodies.after, bodies.B_at, bodies.A_at, bodies.C_at.
 /// Operations: products: 28, quotients: 14, roots: 3, sines: 4, sums: 21.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const Number&
     d_A, const Number& d_B, const Number& tau, std::int64_t j, const Number& turn, const Number&
     pow) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sin, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
@@ -136,39 +122,39 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     // step_sine = sin(h_e)
     const Number step_sine = sin(h_e);
     const Number t8 = Number(1) + turn;
-    const Number t11 = Number(1) - turn;
-    const Number t12 = r_A / r_B;
+    const Number t10 = Number(1) - turn;
+    const Number t11 = r_A / r_B;
     // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
-    const Number now_side = t8 / Number(2) + t11 * t12 / Number(2);
+    const Number now_side = t8 / Number(2) + t10 * t11 / Number(2);
     // later_side_j = (1 - turn_j)/2 + (1 + turn_j)*(r_A/r_B)/2
-    const Number later_side = t11 / Number(2) + t8 * t12 / Number(2);
+    const Number later_side = t10 / Number(2) + t8 * t11 / Number(2);
     // last_sine_j = sin(j*h_e)
     const Number last_sine = sin(Number(j) * h_e);
     // now_sine_j = sin((j + 1)*h_e)
     const Number now_sine = sin((Number(j) + Number(1)) * h_e);
     // later_sine_j = sin((j + 2)*h_e)
     const Number later_sine = sin((Number(j) + Number(2)) * h_e);
-    const Number t26 = V * tau - d_A;
-    const Number t30 = W * tau - d_B;
-    const Number t31 = t30 * r_e;
+    const Number t24 = V * tau - d_A;
+    const Number t27 = W * tau - d_B;
+    const Number t28 = t27 * r_e;
     // before_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
     //   d_B)*r_e*last_sine_j)
-    const Number before = pow * now_side * (t26 * now_sine + t31 * last_sine) / step_sine;
+    const Number before = pow * now_side * (t24 * now_sine + t28 * last_sine) / step_sine;
     // after_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j +
     //   (W*tau - d_B)*r_e*now_sine_j)
-    const Number after = t7 * (pow / step_sine) * later_side * (t26 * later_sine + t31 * now_sine);
-    const Number t46 = e * before;
-    const Number t48 = after - t46;
-    const Number t55 = t8 * after / Number(2) - t11 * t46 / Number(2);
+    const Number after = t7 * (pow / step_sine) * later_side * (t24 * later_sine + t28 * now_sine);
+    const Number t43 = e * before;
+    const Number t44 = after - t43;
+    const Number t50 = t8 * after / Number(2) - t10 * t43 / Number(2);
     // B_at_j(tau) = (w_B*(M_A*(V*tau - d_A + (W*tau - d_B)) + M_C*(W*tau - d_B)) -
     //   w_B*(M_A*(after_j(tau) - e*before_j(tau)) + M_C*((1 + turn_j)*after_j(tau)/2 - (1 -
     //   turn_j)*(e*before_j(tau))/2)))/(1 + w_B*(M_A + M_C))
-    const Number B_at = (w_B * (M_A * (t26 + t30) + M_C * t30) - w_B * (M_A * t48 + M_C * t55)) /
+    const Number B_at = (w_B * (M_A * (t24 + t27) + M_C * t27) - w_B * (M_A * t44 + M_C * t50)) /
         (Number(1) + w_B * t1);
     // A_at_j(tau) = B_at_j(tau) + (after_j(tau) - e*before_j(tau))
-    const Number A_at = B_at + t48;
+    const Number A_at = B_at + t44;
     // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_j(tau)/2 - (1 - turn_j)*(e*before_j(tau))/2)
-    const Number C_at = B_at + t55;
+    const Number C_at = B_at + t50;
     if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
       throw std::domain_error("at_restitution: "
           "step_sine must be between 0x1p-128 and 0x1p+1");
@@ -189,20 +175,14 @@ template <class Number>
 struct TimeRestitution {
   Number moment;
 };
-/// time: moment. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
-///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to
-///   4611686018427387904, step_sine between 0x1p-128 and 0x1p+1, reach between 0x1p-128 and
-///   0x1p+128.
+/// time: moment. Domain: as the error at its end says.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_last_sine,
 ///   bodies.def_now_sine, bodies.def_reach, bodies.moment.
 /// Operations: products: 9, quotients: 5, roots: 3, sines: 3, sums: 5.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const
     Number& d_A, const Number& d_B, std::int64_t j) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sin, std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
@@ -246,18 +226,14 @@ template <class Number>
 struct CollapseRestitution {
   Number end_speed, t_any, x_any, v_any;
 };
-/// collapse: end_speed, t_any, x_any, v_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0
-///   to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e)
-///   from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from
-///   0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
+/// collapse: end_speed, t_any, x_any, v_any. Domain: as the error at its end says.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.y_e, bodies.end_speed,
 ///   bodies.t_any, bodies.x_any, bodies.v_any.
 /// Operations: products: 16, quotients: 9, roots: 4, sums: 13.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
     M_C, const Number& e, const Number& q_e, const Number& V, const Number& W, const Number& d_A,
     const Number& d_B) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::sqrt;
   if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
@@ -281,12 +257,12 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
     const Number end_speed = V + W * r_e * y_e;
     // t_any = (d_A + d_B*r_e*y_e)/end_speed
     const Number t_any = (d_A + d_B * r_e * y_e) / end_speed;
-    const Number t20 = V + W;
-    const Number t33 = Number(1) + w_B * t1;
+    const Number t18 = V + W;
+    const Number t29 = Number(1) + w_B * t1;
     // x_any = w_B*(M_A*((V + W)*t_any - d_A - d_B) + M_C*(W*t_any - d_B))/(1 + w_B*(M_A + M_C))
-    const Number x_any = w_B * (M_A * (t20 * t_any - d_A - d_B) + M_C * (W * t_any - d_B)) / t33;
+    const Number x_any = w_B * (M_A * (t18 * t_any - d_A - d_B) + M_C * (W * t_any - d_B)) / t29;
     // v_any = w_B*(M_A*(V + W) + M_C*W)/(1 + w_B*(M_A + M_C))
-    const Number v_any = w_B * (M_A * t20 + M_C * W) / t33;
+    const Number v_any = w_B * (M_A * t18 + M_C * W) / t29;
     if (!(end_speed > Number(0x1p-128) && end_speed < Number(0x1p+128)))
       throw std::domain_error("collapse_restitution: "
           "end_speed must be between 0x1p-128 and 0x1p+128");

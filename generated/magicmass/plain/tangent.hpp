@@ -17,16 +17,15 @@ template <class Number>
 struct VelocitiesTangent {
   Number a, b, c, c_prime;
 };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
-///   0x1p-300 to 0x1p+300, n from 0 to 1125899906842624.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: as the
+///   error at its end says.
 /// Theorems: evaluators.def_above, evaluators.def_w, evaluators.def_t, evaluators.def_half_h,
 ///   evaluators.def_phase, evaluators.def_sine, evaluators.def_cosine, evaluators.def_t_sine,
 ///   evaluators.def_w_sine, evaluators.def_plus, evaluators.def_minus, evaluators.def_along,
 ///   evaluators.a, evaluators.b, evaluators.c, evaluators.c_prime.
 /// Operations: arctangents: 1, cosines: 1, products: 13, quotients: 1, roots: 1, sines: 1, sums: 4.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 VelocitiesTangent<Number> velocities_tangent(const Number& alpha, std::int64_t n) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
     // above = 2 + alpha
@@ -71,7 +70,7 @@ struct TerminalTangent {
   Number N_A, N_B, a_t, b_t, c_t, rho;
 };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: alpha from 0x1p-100 to 0x1p+100.
+///   Domain: as the error at its end says.
 /// Theorems: evaluators.def_above, evaluators.def_w, evaluators.def_t, evaluators.def_half_h,
 ///   evaluators_end.def_h, evaluators_end.N_A, evaluators_end.def_rest,
 ///   evaluators_end.def_rest_sine, evaluators_end.def_rest_cosine, evaluators_end.def_t_cosine,
@@ -81,9 +80,8 @@ struct TerminalTangent {
 /// Operations: arctangents: 1, ceilings: 2, cosines: 1, products: 12, quotients: 4, roots: 1,
 ///   sines: 1, sums: 7.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 TerminalTangent<Number> terminal_tangent(const Number& alpha) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::abs, std::atan, std::ceil, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-100) && alpha <= Number(0x1p+100)) {
     // above = 2 + alpha
@@ -133,13 +131,12 @@ template <class Number>
 struct AngleTangent {
   Number psi;
 };
-/// angle (def:psi): psi. Domain: alpha from 0x1p-300 to 0x1p+300.
+/// angle (def:psi): psi. Domain: as the error at its end says.
 /// Theorems: evaluators.def_above, evaluators.def_w, evaluators.def_t, evaluators.def_half_h,
 ///   evaluators.psi.
 /// Operations: arctangents: 1, products: 3, quotients: 1, roots: 1, sums: 1.
-template <class Number>
+template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
 AngleTangent<Number> angle_tangent(const Number& alpha) {
-  static_assert(!std::integral<Number>, "1.0, not 1: integers have no fractions");
   using std::atan, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
     // above = 2 + alpha

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polynomials, arctangent, sine and cosine of DoubleDouble. A Tier brings its polynomials: structs
-// with `size`, `pairs`, `centre`, `high[]`, `low[]`, made in exact rationals by the generator.
+// Polynomials, arctangent, sine and cosine of DoubleDouble. A Tier brings its polynomials: those
+// have `size`, `pairs`, `centre`, `high[]`, `low[]`, made in exact rationals by the generator.
 #pragma once
 
 #include "magicmass/arithmetic/double_double.hpp"
@@ -31,15 +31,15 @@ template <class T>
   // y's low part comes last: a chain of these waits for one operation each.
   return {sum, fused(x.high, y.low, rest + fused(x.low, y.high, all<T>(low)))};
 }
-/// The polynomial P at z: its first P::pairs coefficients in two parts, the others in one.
-template <class P, class T>
+/// The polynomial P at z: its first P.pairs coefficients in two parts, the others in one.
+template <const auto& P, class T>
 [[gnu::always_inline]] inline DoubleDouble<T> polynomial(DoubleDouble<T> z) {
-  constexpr int pairs = P::pairs;
-  const T tail = z.high * plain_polynomial<P::size - pairs>(P::high + pairs, z.high);
-  DoubleDouble<T> sum = fast_two_sum(all<T>(P::high[pairs - 1]), tail);
-  sum.low = fused(z.low, all<T>(P::high[pairs]), sum.low + P::low[pairs - 1]);
+  constexpr int pairs = P.pairs;
+  const T tail = z.high * plain_polynomial<P.size - pairs>(P.high + pairs, z.high);
+  DoubleDouble<T> sum = fast_two_sum(all<T>(P.high[pairs - 1]), tail);
+  sum.low = fused(z.low, all<T>(P.high[pairs]), sum.low + P.low[pairs - 1]);
 #pragma GCC unroll 32
-  for (int k = pairs - 2; k >= 0; --k) sum = plus_product(P::high[k], P::low[k], z, sum);
+  for (int k = pairs - 2; k >= 0; --k) sum = plus_product(P.high[k], P.low[k], z, sum);
   return sum;
 }
 
@@ -49,11 +49,10 @@ template <class T>
   const DoubleDouble<T> difference = fast_two_sum(all<T>(-centre), z.high);
   return {difference.high, difference.low + z.low};
 }
-/// atan t where t^2 = z, 0 <= z <= 2 ArcTangent::centre.
+/// atan t where t^2 = z, 0 <= z <= 2 Tier::arc_tangent.centre.
 template <class Tier, class T>
 [[gnu::always_inline]] inline DoubleDouble<T> arc_tangent(DoubleDouble<T> t, DoubleDouble<T> z) {
-  using P = typename Tier::ArcTangent;
-  return t * polynomial<P>(less_centre(z, P::centre));
+  return t * polynomial<Tier::arc_tangent>(less_centre(z, Tier::arc_tangent.centre));
 }
 
 /// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-200 down that. 1 for what is no such n.
@@ -79,8 +78,8 @@ struct SineCosine {
 template <class Tier, class T>
 [[gnu::always_inline]] inline SineCosine<DoubleDouble<T>> sine_cosine_small(DoubleDouble<T> x) {
   const DoubleDouble<T> square = x * x;
-  return {x * polynomial<typename Tier::SmallSine>(square),
-          polynomial<typename Tier::SmallCosine>(square)};
+  return {x * polynomial<Tier::small_sine>(square),
+          polynomial<Tier::small_cosine>(square)};
 }
 /// 0 <= x <= 3 pi/4: above pi/4 a quarter turn is taken off. The cosine's
 /// low part may be large against its high part, near a quarter turn.
@@ -92,8 +91,8 @@ template <class Tier, class T>
   const DoubleDouble<T> y{x.high - select(turns, all<T>(quarter), T{}),
                           x.low - select(turns, all<T>(quarter_low), T{})};
   const DoubleDouble<T> square = y * y;
-  const DoubleDouble<T> sine = y * polynomial<typename Tier::Sine>(square);
-  const DoubleDouble<T> cosine = polynomial<typename Tier::Cosine>(square);
+  const DoubleDouble<T> sine = y * polynomial<Tier::sine>(square);
+  const DoubleDouble<T> cosine = polynomial<Tier::cosine>(square);
   return {{select(turns, cosine.high, sine.high), select(turns, cosine.low, sine.low)},
           {select(turns, -sine.high, cosine.high), select(turns, -sine.low, cosine.low)}};
 }

@@ -18,6 +18,11 @@ template <class T>
   const T top = p.high + (p.low + error);
   return {top, top - (p.high + (p.low - error))};
 }
+/// |x|, of its leading part: error bounds are multiples of such.
+template <class N>
+[[gnu::always_inline]] inline auto size_of(const N& x) {
+  return N::magnitude_of(leading(x));
+}
 /// p, rounded. Tiers that are tested add what is in doubt.
 template <class Tier, class N, class T, class R>
 [[gnu::always_inline]] inline R rounded_by(const N& p, [[maybe_unused]] const T& error,

@@ -220,14 +220,14 @@ void check_functions(codegen::Tier tier, bool bare) {
   const auto small_sine = [=](D x) { return of_small(x).sine; };
   const auto small_cosine = [=](D x) { return of_small(x).cosine; };
   const auto tangent = [](D x) { return arc_tangent<Tier>(x, x * x); };
-  check(entry("sine, small", 0.01, 0.5235, relative(small.sine), small_sine, "SmallSine", cln::sin,
+  check(entry("sine, small", 0.01, 0.5235, relative(small.sine), small_sine, "small_sine", cln::sin,
               true),
         100, {half, half});
-  check(entry("cosine, small", 0.01, 0.5235, relative(small.cosine), small_cosine, "SmallCosine",
+  check(entry("cosine, small", 0.01, 0.5235, relative(small.cosine), small_cosine, "small_cosine",
               cln::cos, false),
         100, {half, half});
   check(entry("arctangent", 0.001, 0.577, relative(t.arc_tangent(l, square.loose, square.loss)),
-              tangent, "ArcTangent", cln::atan, true),
+              tangent, "arc_tangent", cln::atan, true),
         100, {bare && tier.name == "Slow" ? 0.4 : half, half});
   const cl_RA quarter =
       codegen::exact(0x1.921fb54442d18p+0) + codegen::exact(0x1.1a62633145c07p-54);
@@ -243,11 +243,11 @@ void check_functions(codegen::Tier tier, bool bare) {
   const auto cosine = [=](D x) { return of_any(x).cosine; };
   Shares most;
   for (const Entry& e :
-       {entry("sine", 0.01, 0.785, of_sine, sine, "Sine", cln::sin, true),
-        entry("cosine", 0.01, 0.785, of_cosine, cosine, "Cosine", cln::cos, false),
-        entry("sine, turned", 0.786, 2.355, of_sine, sine, "Cosine", cln::sin, false, quarter),
-        entry("cosine, turned", 0.786, 2.355, of_cosine, cosine, "Sine", cln::cos, true, quarter),
-        entry("cosine, near 0", 1.5707, 1.5709, of_cosine, cosine, "Sine", cln::cos, true,
+       {entry("sine", 0.01, 0.785, of_sine, sine, "sine", cln::sin, true),
+        entry("cosine", 0.01, 0.785, of_cosine, cosine, "cosine", cln::cos, false),
+        entry("sine, turned", 0.786, 2.355, of_sine, sine, "cosine", cln::sin, false, quarter),
+        entry("cosine, turned", 0.786, 2.355, of_cosine, cosine, "sine", cln::cos, true, quarter),
+        entry("cosine, near 0", 1.5707, 1.5709, of_cosine, cosine, "sine", cln::cos, true,
               quarter)}) {
     INFO(e.name);
     const Shares s = shares(e, 100);

@@ -176,6 +176,13 @@ TEST_CASE("what may over- or underflow is refused, at the edge from both sides")
   CHECK_NOTHROW(analysis(quantity(square, {0x1p-440, 0x1p440})));
   refuses(quantity(square, {0x1p-460, 1}), "over- or underflow");
   refuses(quantity(square, {1, 0x1p460}), "over- or underflow");
+  Quantity zero = quantity(definition(1 + alpha * alpha), {0x1p-440, 1});
+  zero.inputs[0].may_be_zero = true;
+  CHECK_THAT(codegen::emit_evaluator(zero).header,
+             ContainsSubstring("(in.alpha == 0 || in.alpha >= 0x1p-440) && in.alpha <= 0x1p+0"));
+  refuses(PlainForm{zero, "closed"}, "may be 0 in evaluators of single numbers alone");
+  zero.inputs[0].range.low = 0x1p-460;
+  refuses(zero, "over- or underflow");
   Quantity whole = quantity(definition(m + m, {m}));
   whole.inputs = {{m, {0, 0x1p50 - 1}, {0, 0x1p63}}};
   CHECK_NOTHROW(codegen::lower(whole, whole.cases[0], codegen::Numbers::doubles));
