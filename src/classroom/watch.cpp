@@ -4,10 +4,8 @@
 #include <chrono>
 #include <filesystem>
 #include <thread>
-#include <utility>
 
 #include "answers/errors.hpp"
-#include "answers/table.hpp"
 #include "classroom/classroom.hpp"
 
 namespace classroom {

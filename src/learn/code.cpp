@@ -8,7 +8,6 @@
 
 #include "answers/errors.hpp"
 #include "answers/table.hpp"
-#include "balls/ball.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {

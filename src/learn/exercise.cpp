@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "learn/exercise.hpp"
 
-#include <algorithm>
 #include <cctype>
 
 #include "answers/errors.hpp"

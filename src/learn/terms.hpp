@@ -4,7 +4,6 @@
 
 #include "equality/decide.hpp"
 #include "learn/judge.hpp"
-#include "notation/typed.hpp"
 
 namespace learn {
 using kernel::Expr;

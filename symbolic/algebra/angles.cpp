@@ -2,12 +2,10 @@
 #include "algebra/angles.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "algebra/equations.hpp"
 #include "algebra/linear.hpp"
 #include "algebra/signs.hpp"
-#include "kernel/polynomial.hpp"
 
 namespace algebra {
 namespace {

@@ -4,7 +4,6 @@
 #include "algebra/angles.hpp"
 #include "algebra/linear.hpp"
 #include "algebra/signs.hpp"
-#include "kernel/polynomial.hpp"
 #include "kernel/print.hpp"
 
 namespace algebra {

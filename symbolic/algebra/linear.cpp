@@ -2,11 +2,9 @@
 #include "algebra/linear.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "algebra/equations.hpp"
 #include "algebra/signs.hpp"
-#include "kernel/polynomial.hpp"
 #include "kernel/print.hpp"
 
 namespace algebra {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "algebra/signs.hpp"
 
-#include <optional>
-
 #include "algebra/angles.hpp"
 #include "algebra/equations.hpp"
 #include "algebra/linear.hpp"
-#include "kernel/polynomial.hpp"
 #include "kernel/print.hpp"
 
 namespace algebra {

@@ -2,11 +2,8 @@
 #include "balls/quadratic.hpp"
 
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <stdexcept>
 
-#include <cln/integer.h>
 #include <cln/real.h>
 
 #include "kernel/print.hpp"

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "codegen/exact.hpp"
 #include "codegen/operations.hpp"
 #include "kernel/print.hpp"
 

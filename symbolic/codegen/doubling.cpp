@@ -3,8 +3,6 @@
 #include <limits>
 
 #include "codegen/emit.hpp"
-#include "codegen/lower.hpp"
-#include "codegen/text.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {

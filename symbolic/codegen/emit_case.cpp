@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Bounds of all tiers, members, stages, tests of one case.
 #include <algorithm>
-#include <set>
 
 #include "codegen/emit.hpp"
 #include "codegen/errors.hpp"
-#include "codegen/exact.hpp"
-#include "codegen/text.hpp"
 
 namespace codegen {
 namespace {

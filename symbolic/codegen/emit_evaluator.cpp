@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The header of a quantity: its cases between its structures and the choice among them.
 #include "codegen/emit.hpp"
-#include "codegen/text.hpp"
 
 namespace codegen {
 namespace {

@@ -4,8 +4,6 @@
 #include <regex>
 
 #include "codegen/emit.hpp"
-#include "codegen/exact.hpp"
-#include "codegen/text.hpp"
 #include "kernel/print.hpp"
 
 namespace codegen {

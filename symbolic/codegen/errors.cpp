@@ -3,10 +3,8 @@
 #include "codegen/errors.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "codegen/builder.hpp"
-#include "codegen/exact.hpp"
 
 namespace codegen {
 namespace {

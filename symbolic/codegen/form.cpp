@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Forms: algebra, absorption, printing.
 #include <algorithm>
-#include <cmath>
 
 #include "codegen/errors.hpp"
-#include "codegen/exact.hpp"
 #include "codegen/quantity.hpp"
 
 namespace codegen {

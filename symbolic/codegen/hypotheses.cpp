@@ -2,7 +2,6 @@
 // Hypotheses and parameters against intervals.
 #include <algorithm>
 
-#include "codegen/exact.hpp"
 #include "codegen/lower.hpp"
 #include "codegen/text.hpp"
 #include "kernel/names.hpp"

@@ -3,8 +3,6 @@
 #include "codegen/lower.hpp"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 #include "kernel/print.hpp"
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "codegen/emit.hpp"
-#include "codegen/lower.hpp"
-#include "codegen/text.hpp"
 
 namespace codegen {
 namespace {

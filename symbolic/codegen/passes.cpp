@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From program to program.
 #include <algorithm>
-#include <set>
 
 #include "codegen/program.hpp"
 #include "codegen/quantity.hpp"

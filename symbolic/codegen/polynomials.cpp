@@ -2,9 +2,6 @@
 // A Taylor series, economised in Chebyshev's basis, cut, rounded; and its error.
 #include "codegen/polynomials.hpp"
 
-#include <cln/integer.h>
-
-#include "codegen/exact.hpp"
 #include "codegen/quantity.hpp"
 #include "codegen/text.hpp"
 

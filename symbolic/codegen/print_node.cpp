@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The spelling of each operation in the runtime.
-#include <map>
 
-#include <cln/integer.h>
-
-#include "codegen/builder.hpp"
 #include "codegen/emit.hpp"
-#include "codegen/exact.hpp"
-#include "codegen/text.hpp"
 
 namespace codegen {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "coq/files.hpp"
 
-#include <set>
 #include <sstream>
 
 #include "coq/script.hpp"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "coq/files.hpp"
-#include "kernel/theorem.hpp"
 
 namespace coq {
 extern const char* const prelude;  ///< symbolic/coq/prelude.v

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One line of Coq for each operation of the kernel.
-#include <set>
 
 #include "coq/script.hpp"
 #include "kernel/print.hpp"

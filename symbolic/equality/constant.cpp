@@ -5,7 +5,6 @@
 // degree of the field.
 #include "equality/constant.hpp"
 
-#include <cstdint>
 #include <numeric>
 
 #include "equality/normal_form.hpp"

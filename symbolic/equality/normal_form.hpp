@@ -9,7 +9,6 @@
 #include <map>
 #include <stdexcept>
 
-#include "equality/constant.hpp"
 #include "equality/domain.hpp"
 #include "kernel/polynomial.hpp"
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <cln/integer.h>
-
 #include "equality/normal_form.hpp"
 #include "kernel/names.hpp"
 

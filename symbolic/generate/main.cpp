@@ -4,7 +4,6 @@
 #include <exception>
 
 #include "generate/quantities.hpp"
-#include "generate/tree.hpp"
 
 int main(int count, char** words) {
   if (count != 2) {

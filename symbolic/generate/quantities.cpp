@@ -3,12 +3,9 @@
 #include "generate/quantities.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <sstream>
 
-#include "codegen/emit.hpp"
 #include "codegen/polynomials.hpp"
-#include "codegen/text.hpp"
 #include "derivation/book.hpp"
 #include "notation/alpha.hpp"
 #include "notation/read.hpp"

@@ -2,7 +2,6 @@
 // Substitution, replacement, binding and opening: one walk that rebuilds a tree bottom-up.
 #include <functional>
 
-#include "kernel/expr.hpp"
 #include "kernel/print.hpp"
 
 namespace kernel {

@@ -2,11 +2,9 @@
 #include "notation/operations.hpp"
 
 #include <algorithm>
-#include <map>
 #include <sstream>
 
 #include <cln/integer_io.h>
-#include <cln/rational.h>
 
 #include "notation/typed.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The names and functions of what people type, kept apart from those of the derivation.
-#include <cln/rational.h>
 
 #include "kernel/names.hpp"
 #include "kernel/print.hpp"

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstdio>
-#include <map>
-#include <set>
 #include <sstream>
 
 #include "notation/operations.hpp"

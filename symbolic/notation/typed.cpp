@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <sstream>
-#include <utility>
 
 #include "kernel/print.hpp"
 #include "notation/operations.hpp"

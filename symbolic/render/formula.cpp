@@ -2,7 +2,6 @@
 #include "render/formula.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "kernel/names.hpp"
 #include "kernel/print.hpp"

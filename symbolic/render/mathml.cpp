@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "render/mathml.hpp"
 
-#include <map>
-
 #include "render/formula.hpp"
 
 namespace render {

@@ -2,7 +2,6 @@
 #include "render/pages.hpp"
 
 #include <algorithm>
-#include <map>
 
 #include "kernel/print.hpp"
 #include "render/latex.hpp"

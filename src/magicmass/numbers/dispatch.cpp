@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Which of the compiled tables this processor can run.
-#include <cstring>
 
 #include "magicmass/arithmetic/simd.hpp"
 #include "magicmass/numbers/kernels.hpp"

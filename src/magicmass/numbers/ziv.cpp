@@ -29,8 +29,6 @@
 //   p^2 is odd, so 2^(2m+1) = p^2 +- 1: p^2 + 1 is 2 mod 8, and (p - 1)(p + 1) such a power for
 //   p = 3 alone: alpha = 1/2, where only j <= 2 take place.
 //  psi: cos(psi/2) = u is rational, so psi is transcendental (Lindemann).
-#include <cmath>
-#include <string>
 
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/counts.hpp"

@@ -3,7 +3,6 @@
 #include "magicmass/oracle/count.hpp"
 
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 #include "magicmass/oracle/collision_map.hpp"

@@ -3,8 +3,6 @@
 // oracle shares nothing with what is derived and generated.
 #include "magicmass/oracle/mass_ratio.hpp"
 
-#include <stdexcept>
-
 #include <cln/float.h>
 #include <cln/real.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/keys.hpp"
 
-#include <algorithm>
 #include <iterator>
 #include <sstream>
 

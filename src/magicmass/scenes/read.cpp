@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // From a file to a scene.
-#include <algorithm>
 #include <cerrno>
 #include <fstream>
 #include <system_error>

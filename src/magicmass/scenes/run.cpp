@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/run.hpp"
 
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <concepts>
-
-#include "magicmass/numbers/errors.hpp"
 #include "magicmass/scenes/theorem.hpp"
 
 namespace magicmass::scenes {

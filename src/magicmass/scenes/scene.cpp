@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/scene.hpp"
 
-#include <algorithm>
 #include <array>
-#include <concepts>
 
 #include "magicmass/numbers/errors.hpp"
 

@@ -1,13 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/theorem.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <utility>
-
-#include "magicmass/numbers/errors.hpp"
-
 namespace magicmass::scenes {
 namespace {
 using Balls = std::function<std::vector<Ball>()>;

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/trio.hpp"
 
-#include <algorithm>
-
 #include "magicmass/exact/exact.hpp"
-#include "magicmass/numbers/errors.hpp"
 #include "magicmass/plain/closed.hpp"
 #include "magicmass/plain/restitution.hpp"
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
 #include <iterator>
-#include <utility>
 
-#include "magicmass/numbers/errors.hpp"
 #include "magicmass/scenes/theorem.hpp"
 
 namespace magicmass::scenes {

@@ -2,7 +2,6 @@
 #include "magicmass/scenes/value.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include <cln/integer_io.h>
 

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "magicmass/simulator/due_times.hpp"
-#include "magicmass/simulator/line.hpp"
 #include "magicmass/simulator/rounding_margin.hpp"
 
 namespace magicmass::simulator {

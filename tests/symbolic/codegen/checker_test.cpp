@@ -7,15 +7,12 @@
 // different points do not hide that it is halved.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <random>
 #include <regex>
 #include <sstream>
 
 #include "balls/ball.hpp"
 #include "catch.hpp"
-#include "codegen/emit.hpp"
-#include "codegen/exact.hpp"
 #include "codegen/operations.hpp"
 #include "generate/quantities.hpp"
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What is emitted: what a header states, its constants, its cases.
 #include <regex>
-#include <set>
 #include <sstream>
 
 #include "catch.hpp"
-#include "codegen/emit.hpp"
-#include "codegen/exact.hpp"
 #include "generate/quantities.hpp"
 
 TEST_CASE("the constants in a header are the printed bounds, tier by tier") {

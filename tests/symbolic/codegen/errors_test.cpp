@@ -4,9 +4,7 @@
 #include "codegen/errors.hpp"
 
 #include "catch.hpp"
-#include "codegen/builder.hpp"
 #include "codegen/emit.hpp"
-#include "codegen/exact.hpp"
 
 namespace {
 using codegen::NumberType;

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <random>
-#include <vector>
 
 #include <cln/float.h>
 #include <cln/real.h>

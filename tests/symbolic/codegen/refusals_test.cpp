@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the generator must not accept: each finding of the audit of its forerunner, and each guard
 // of the reader, of plain and exact forms and doublings, too; at edges from both sides.
-#include <cmath>
 
 #include "catch.hpp"
 #include "codegen/emit.hpp"
 #include "codegen/errors.hpp"
-#include "codegen/exact.hpp"
-#include "codegen/lower.hpp"
 #include "kernel/names.hpp"
 
 namespace {

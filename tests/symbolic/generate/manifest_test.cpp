@@ -5,7 +5,6 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
-#include <set>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Attacks on the rules of logic, on induction and on definitions, with a small motion of its own.
 #include <algorithm>
-#include <type_traits>
 
 #include "attack.hpp"
 #include "kernel/print.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Attacks on terms: names, sorts, bound indices, sizes.
-#include <type_traits>
 
 #include "attack.hpp"
 #include "kernel/names.hpp"
