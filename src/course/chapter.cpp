@@ -10,7 +10,7 @@
 #include "answers/errors.hpp"
 #include "learn/judge.hpp"
 #include "magicmass/scenes/keys.hpp"
-#include "render/mathml.hpp"
+#include "render/pages.hpp"
 
 namespace course {
 namespace {

@@ -3,7 +3,7 @@
 #include "answers/errors.hpp"
 #include "course/chapter.hpp"
 #include "notation/read.hpp"
-#include "render/mathml.hpp"
+#include "render/pages.hpp"
 
 namespace course {
 namespace {

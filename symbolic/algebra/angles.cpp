@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "algebra/angles.hpp"
-
 #include <algorithm>
 
-#include "algebra/equations.hpp"
-#include "algebra/linear.hpp"
-#include "algebra/signs.hpp"
+#include "algebra/tactics.hpp"
 
 namespace algebra {
 namespace {

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "algebra/equations.hpp"
-
-#include "algebra/angles.hpp"
-#include "algebra/linear.hpp"
-#include "algebra/signs.hpp"
+#include "algebra/tactics.hpp"
 #include "kernel/print.hpp"
 
 namespace algebra {

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "algebra/linear.hpp"
-
 #include <algorithm>
 
-#include "algebra/equations.hpp"
-#include "algebra/signs.hpp"
+#include "algebra/tactics.hpp"
 #include "kernel/print.hpp"
 
 namespace algebra {

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "algebra/equations.hpp"
-#include "algebra/linear.hpp"
+#include "algebra/tactics.hpp"
 
 namespace algebra {
 namespace {

@@ -5,8 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "algebra/linear.hpp"
-#include "algebra/signs.hpp"
+#include "algebra/tactics.hpp"
 #include "derivation/book.hpp"
 #include "kernel/defined.hpp"
 

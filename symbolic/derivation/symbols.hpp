@@ -4,11 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "algebra/angles.hpp"
-#include "algebra/equations.hpp"
+#include "algebra/tactics.hpp"
 #include "algebra/ginac.hpp"
-#include "algebra/linear.hpp"
-#include "algebra/signs.hpp"
 #include "derivation/book.hpp"
 #include "kernel/defined.hpp"
 #include "kernel/polynomial.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "algebra/equations.hpp"
+#include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
 #include "kernel/print.hpp"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "render/latex.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "render/formula.hpp"
+#include "render/pages.hpp"
 
 namespace render {
 namespace {

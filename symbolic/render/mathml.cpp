@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "render/mathml.hpp"
-
 #include "render/formula.hpp"
+#include "render/pages.hpp"
 
 namespace render {
 namespace {

@@ -4,8 +4,6 @@
 #include <algorithm>
 
 #include "kernel/print.hpp"
-#include "render/latex.hpp"
-#include "render/mathml.hpp"
 
 namespace render {
 namespace {

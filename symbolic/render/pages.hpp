@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A derivation as a page: plain text of at most 80 columns where words can be broken, Markdown,
-// LaTeX or HTML.
+// Formulas, and a derivation as a page: plain text of at most 80 columns where words can be broken,
+// Markdown, LaTeX or HTML.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,6 +8,11 @@
 #include "kernel/expr.hpp"
 
 namespace render {
+/// For math mode, without its delimiters: \frac{...}{...}, \begin{pmatrix}, \psi, c'_{n}.
+std::string latex(kernel::Expr e);
+/// One <math> element, in a line of text or on a line of its own.
+std::string mathml(kernel::Expr e, bool is_block);
+
 struct Step {
   std::string id;
   std::string label;  ///< of the paper, or empty

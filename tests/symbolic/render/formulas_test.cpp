@@ -3,8 +3,7 @@
 // what is set above, below or beside what. Pages are seen in the sessions of the command.
 #include "catch.hpp"
 #include "notation/read.hpp"
-#include "render/latex.hpp"
-#include "render/mathml.hpp"
+#include "render/pages.hpp"
 #include "rows.hpp"
 
 TEST_CASE("LaTeX and MathML of terms and formulas") {

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Tactics: each finds a proof that the kernel then checks; Refused where there is none.
+#pragma once
+#include <optional>
+
+#include "algebra/logic.hpp"
+#include "kernel/polynomial.hpp"
+
+namespace algebra {
+// Equations of terms and of matrices: cofactors are found here and checked by the kernel.
+/// The quotient of two monomials, if it is one.
+std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by);
+/// q - p of p = q, p < q, p <= q or not p = q.
+Expr gap(const Theorem& relation);
+/// `goal` (l = r of terms or of matrices, or several): each equation of `facts` (monomial = term)
+/// rewrites a monomial; denominators are cleared that `facts` (0 < d, not d = 0) or `positive` say
+/// not to be 0; squares of roots are rewritten; sines and cosines are expanded in those of the
+/// angles `bases`, if any. Throws Refused, with what is left over, if that does not end in 0 = 0.
+Theorem equation(Expr goal, const Theorems& facts = {}, const Exprs& bases = {});
+Theorem equation(Expr l, Expr r, const Theorems& facts = {}, const Exprs& bases = {});
+/// The same after the goal is multiplied by `factors`, each proved not 0.
+Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts = {},
+               const Exprs& bases = {});
+/// `arithmetic`, where multipliers are divisors, too.
+Theorem certified(Expr goal, Certificate c);
+/// x = the rest of an equation in which the monomial x is a term.
+Theorem solved_for(Expr x, const Theorem& equation);
+/// l = m and m = r give l = r.
+Theorem chain(const Theorem& a, const Theorem& b);
+/// l = r gives r = l.
+Theorem turned(const Theorem& e);
+/// The equations of the entries of an equation of matrices, row by row.
+Exprs entry_equations(Expr matrix_equation);
+Theorems entries(const Theorem& matrix_equation);
+/// |- sqrt(x)^2 = x from 0 <= x or 0 < x.
+Theorem root_squared(const Theorem& not_negative);
+/// |- sqrt(x) = t from t^2 = x and 0 < t.
+Theorem root_of(const Theorem& square, const Theorem& t_positive);
+/// The same where `equation` and `positive` show both.
+Theorem root_is(Expr x, Expr t, const Theorems& facts = {});
+
+// Inequalities by linear combination.
+/// `goal` (=, also of matrices, <, <=, not =; several of them, or one that implies or is equivalent
+/// to another) as a linear combination of `facts` (=, <, <=), each monomial an unknown; the
+/// combination is found by Fourier's and Motzkin's elimination. Where they do not suffice: with
+/// what is known, d/d = 1, squares of roots, the axioms of pi, ceilings and arctangents, i < j as i
+/// + 1 <= j for integers, and the sign of the gap as `positive` sees it. Throws Refused where there
+/// is none.
+Theorem linear(Expr goal, const Theorems& facts = {});
+/// `goal` from `relation`, which `linear` shows, times a positive factor.
+Theorem scaled(Expr goal, Expr relation, Expr factor, const Theorems& facts = {});
+/// An equivalence of two inequalities, of which the first is the second times a positive factor.
+Theorem same_sign(Expr equivalence, Expr factor, const Theorems& facts);
+/// An equation as a linear combination of equations and of nothing else, or nothing.
+std::optional<Theorem> combination(Expr equation, const Theorems& equations);
+/// As `linear` for one relation, but without the sign of the gap, or nothing.
+std::optional<Theorem> linear_if(Expr goal, const Theorems& facts);
+
+// Signs of terms from their shape.
+/// |- 0 < l from l = r, where that shows 0 < r.
+Theorem positive(const Theorem& is, const Theorems& facts = {});
+/// |- 0 < t: numbers, sums, products, powers, quotients, roots, pi and arctangents of positive
+/// terms, sines of angles below pi, cosines of those below pi/2; `facts`, what is known and
+/// `linear` say the rest. Throws Refused where nothing shows it.
+Theorem positive(Expr t, const Theorems& facts = {});
+/// |- 0 <= t
+Theorem not_negative(Expr t, const Theorems& facts = {});
+/// |- 0 < t or |- 0 <= t, or nothing.
+std::optional<Theorem> sign_of(Expr t, const Theorems& facts = {}, bool strict = true);
+/// 0 < (q - p)(s - r)... from p < q, r < s, ..., 0 <= where one of them is <=.
+Theorem product_of(const Theorems& factors);
+Theorem times(const Theorem& a, const Theorem& b);
+/// The same for a term that is `positive`.
+Theorem times(const Theorem& a, Expr positive_term);
+
+// Sines and cosines of integer combinations of angles.
+/// Rules for `equation`: each sine and cosine in `terms` in those of `bases`, by the addition
+/// theorems, if its angle is a combination of them with integer coefficients; where `circle` is
+/// true, also sin^2 = 1 - cos^2 of each base.
+Theorems angles(const Exprs& terms, const Exprs& bases, bool circle = true);
+/// p = q from cos(p) = cos(q), as the cosine falls from 0 to pi: `linear` finds p and q there.
+Theorem same_angle(const Theorem& cosines, const Theorems& facts = {});
+/// cos(q) < cos(p) from p < q, <= from p <= q: `linear` finds 0 <= p and q <= pi.
+Theorem cosine_falls(const Theorem& less, const Theorems& facts = {});
+/// 0 <= sin(t): `linear` finds 0 <= t and t <= pi.
+Theorem sine_not_negative(Expr t, const Theorems& facts = {});
+/// 0 < t and t < pi/2 give 0 < cos(t).
+Theorem cosine_positive(const Theorem& from, const Theorem& below);
+}  // namespace algebra
