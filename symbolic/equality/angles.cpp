@@ -26,15 +26,23 @@ int parts_of(const Sum& sum) {
   }
   return has_angles && parts <= most_parts ? cln::cl_I_to_int(parts) : 0;
 }
-// Where the requirements hold is the inside of a box with any part of its boundary.
-bool is_connected(const Domain& domain, const std::vector<Requirement>& needs) {
+// Where the requirements hold is the inside of a box, or of what is convex in it and has a point
+// there, with any part of its boundary.
+bool is_connected(const Domain& domain, const std::vector<Requirement>& needs,
+                  const std::vector<Requirement>& convex, const std::vector<Point>& common) {
   Domain box = narrowed(domain, needs);
   for (auto& [symbol, range] : box.ranges) {
     if (range.is_integer) return false;
     if (range.low) range.low->is_inside = false;
     if (range.high) range.high->is_inside = false;
   }
+  const auto is_within = [&](const Point& point) {
+    return std::ranges::all_of(
+        box.ranges, [&](const auto& of) { return of.second.contains(point.at(of.first)); });
+  };
+  if (!convex.empty() && std::ranges::none_of(common, is_within)) return false;
   Forms forms(box);
+  for (const Requirement& r : convex) forms.assume(r);
   return std::ranges::all_of(needs, [&](const Requirement& r) { return forms.holds(r); });
 }
 // An inequality of this kind leaves of a box what is convex.
@@ -61,7 +69,7 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
     const std::vector<Requirement> needs = requirements(left - right, box);
     std::vector<Requirement> convex = conditions(domain);
     std::erase_if(convex, [&](const Requirement& r) {
-      return !needs.empty() || !is_proved([&] { return is_affine(r.term, box); });
+      return !is_proved([&] { return is_affine(r.term, box); });
     });
     Forms forms(narrowed(box, convex));
     for (const Requirement& r : needs) forms.assume(r);
@@ -69,7 +77,7 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
     const Sum difference = forms.of(left) - forms.of(right);
     const int parts = parts_of(difference);
     if (parts == 0 || !forms.is_whole_turns(scaled(difference, parts))) return false;
-    if (!is_connected(box, needs)) return false;
+    if (!is_connected(box, needs, convex, common)) return false;
     const Ball there = enclosure(at(common[0], left - right), 128);
     const cln::cl_RA turn = cln::cl_RA(6) / parts;
     return there.high() < turn && there.low() > -turn;
