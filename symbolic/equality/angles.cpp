@@ -26,10 +26,10 @@ int parts_of(const Sum& sum) {
   }
   return has_angles && parts <= most_parts ? cln::cl_I_to_int(parts) : 0;
 }
-// Where the requirements hold is the inside of a box, or of what is convex in it and has a point
-// there, with any part of its boundary.
+// Where the requirements hold is the inside of a box, or of what is convex in it, or has with each
+// point the way to 0, and a point there, with any part of its boundary.
 bool is_connected(const Domain& domain, const std::vector<Requirement>& needs,
-                  const std::vector<Requirement>& convex, const std::vector<Point>& common) {
+                  const std::vector<Requirement>& shape, const std::vector<Point>& inside) {
   Domain box = narrowed(domain, needs);
   for (auto& [symbol, range] : box.ranges) {
     if (range.is_integer) return false;
@@ -40,9 +40,9 @@ bool is_connected(const Domain& domain, const std::vector<Requirement>& needs,
     return std::ranges::all_of(
         box.ranges, [&](const auto& of) { return of.second.contains(point.at(of.first)); });
   };
-  if (!convex.empty() && std::ranges::none_of(common, is_within)) return false;
+  if (!shape.empty() && std::ranges::none_of(inside, is_within)) return false;
   Forms forms(box);
-  for (const Requirement& r : convex) forms.assume(r);
+  for (const Requirement& r : shape) forms.assume(r);
   return std::ranges::all_of(needs, [&](const Requirement& r) { return forms.holds(r); });
 }
 // An inequality of this kind leaves of a box what is convex.
@@ -53,6 +53,27 @@ bool is_affine(Expr e, const Domain& box) {
     const Expr product = forms.expression(Sum{{term.first, 1}});
     return box.ranges.contains(product) || kernel::free_variables(product).empty();
   });
+}
+// And of this kind, c + h from 0 on, c positive, h homogeneous, what has with each point the way to
+// 0: on it h is t^k times as large.
+bool leads_to_0(Expr e, const Domain& box) {
+  Forms forms(box);
+  Sum constant;
+  std::set<int> degrees;
+  for (const auto& [product, q] : forms.of(e)) {
+    int degree = 0;
+    for (const auto& [atom, power] : product) {
+      if (kernel::free_variables(atom).empty()) continue;
+      const int k = box.ranges.contains(atom) ? whole_number(power).value_or(0) : 0;
+      if (k <= 0) return false;
+      degree += k;
+    }
+    if (degree == 0)
+      constant[product] = q;
+    else
+      degrees.insert(degree);
+  }
+  return degrees.size() == 1 && forms.is_positive(constant);
 }
 // The same domain for fewer symbols.
 Domain only(const Domain& domain, Expr e) {
@@ -67,17 +88,27 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
   return is_proved([&] {
     const Domain box = only(domain, left - right);
     const std::vector<Requirement> needs = requirements(left - right, box);
-    std::vector<Requirement> convex = conditions(domain);
-    std::erase_if(convex, [&](const Requirement& r) {
-      return !is_proved([&] { return is_affine(r.term, box); });
-    });
-    Forms forms(narrowed(box, convex));
+    std::vector<Requirement> shape = conditions(domain);
+    const auto fits = [&](auto rule) {
+      return [rule, &box](const Requirement& r) {
+        return is_proved([&] { return rule(r.term, box); });
+      };
+    };
+    std::vector<Point> inside = common;
+    const bool is_convex = std::ranges::all_of(shape, fits(is_affine));
+    if (!is_convex && std::ranges::all_of(shape, fits(leads_to_0))) {
+      inside.resize(1);
+      for (auto& [symbol, value] : inside[0]) value = 0;
+    } else {
+      std::erase_if(shape, std::not_fn(fits(is_affine)));
+    }
+    Forms forms(narrowed(box, shape));
     for (const Requirement& r : needs) forms.assume(r);
-    for (const Requirement& r : convex) forms.assume(r);
+    for (const Requirement& r : shape) forms.assume(r);
     const Sum difference = forms.of(left) - forms.of(right);
     const int parts = parts_of(difference);
     if (parts == 0 || !forms.is_whole_turns(scaled(difference, parts))) return false;
-    if (!is_connected(box, needs, convex, common)) return false;
+    if (!is_connected(box, needs, shape, inside)) return false;
     const Ball there = enclosure(at(common[0], left - right), 128);
     const cln::cl_RA turn = cln::cl_RA(6) / parts;
     return there.high() < turn && there.low() > -turn;
