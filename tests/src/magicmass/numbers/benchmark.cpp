@@ -7,10 +7,6 @@
 #include <cstdio>
 #include <vector>
 
-#include "magicmass/numbers/accurate.hpp"
-#include "magicmass/numbers/counts.hpp"
-#include "magicmass/numbers/fast.hpp"
-#include "magicmass/numbers/kernels.hpp"
 #include "src/magicmass/numbers/families.hpp"
 
 namespace {
@@ -42,8 +38,6 @@ constexpr double pi = 3.14159265358979323846;
 }
 
 struct Data : testing::Table {
-  std::vector<double> alpha = std::vector<double>(rows);
-  std::vector<std::int64_t> n = std::vector<std::int64_t>(rows);
   double sum = 0;  // keeps results alive
 
   Data(double low, double high) : Table(rows) {
@@ -102,25 +96,19 @@ void everyday(const numbers::Kernels& table) {
   const auto t = singly(d, naive_terminal);
   std::printf("alpha log-uniform in 1e-4..1, %s\n", table.name);
   numbers::Open open;
-  auto& o = d.values;
   for (const int tier : {0, 1}) {
-    const std::string of_tier = tier == 0 ? "rows of fast " : "rows of accurate ";
+    const std::string of_tier = "rows of " + testing::tiers[tier].name;
     const auto each_block = [](const auto& run) {
       return [run] {
         for (std::size_t i = 0; i < rows; i += numbers::longest_block) run(i);
       };
     };
-    compare(of_tier + "velocities", v, each_block([&, tier](std::size_t i) {
-              table.velocity_rows[tier](
-                  numbers::longest_block,
-                  {&d.alpha[i], &d.n[i], &o[0][i], &o[1][i], &o[2][i], &o[3][i]}, open);
+    compare(of_tier + " velocities", v, each_block([&, tier](std::size_t i) {
+              table.velocity_rows[tier](numbers::longest_block, d.velocities_from(i), open);
             }),
             true);
-    compare(of_tier + "terminal", t, each_block([&, tier](std::size_t i) {
-              table.terminal_rows[tier](numbers::longest_block,
-                                        {&d.alpha[i], &d.counts[0][i], &d.counts[1][i], &o[4][i],
-                                         &o[5][i], &o[6][i], &o[7][i]},
-                                        open);
+    compare(of_tier + " terminal", t, each_block([&, tier](std::size_t i) {
+              table.terminal_rows[tier](numbers::longest_block, d.terminal_from(i), open);
             }),
             true);
   }
@@ -129,25 +117,18 @@ void public_calls() {
   Data d(1e-4, 1);
   const auto v = singly(d, naive_velocities);
   const auto t = singly(d, naive_terminal);
-  using Of = Velocities (*)(double, std::int64_t);
-  using End = std::optional<Terminal> (*)(double);
   std::printf("alpha log-uniform in 1e-4..1, public calls, %s\n", numbers::kernels().name);
   compare("naive itself", v, v, false);
-  compare("fast velocities", v, singly(d, Of(fast::velocities)), false);
-  compare("fast terminal", t, singly(d, End(fast::terminal)), false);
-  compare("accurate velocities", v, singly(d, Of(accurate::velocities)), false);
-  compare("accurate terminal", t, singly(d, End(accurate::terminal)), false);
-  const auto arrays = [&](const std::string& tier, auto velocities, auto terminal) {
-    const auto of_v = [&] { velocities(d.alpha, d.n, d.velocities()); };
-    const auto of_t = [&] { terminal(d.alpha, d.terminal()); };
-    compare("arrays of " + tier + " velocities", v, of_v, true);
-    compare("arrays of " + tier + " terminal", t, of_t, true);
-  };
-  using Rows =
-      void (*)(std::span<const double>, std::span<const std::int64_t>, const VelocityColumns&);
-  using Ends = void (*)(std::span<const double>, const TerminalColumns&);
-  arrays("fast", Rows(fast::velocities), Ends(fast::terminal));
-  arrays("accurate", Rows(accurate::velocities), Ends(accurate::terminal));
+  for (const testing::Calls& tier : testing::tiers) {
+    compare(tier.name + " velocities", v, singly(d, tier.velocities), false);
+    compare(tier.name + " terminal", t, singly(d, tier.terminal), false);
+  }
+  for (const testing::Calls& tier : testing::tiers) {
+    const auto of_v = [&] { tier.velocity_rows(d.alpha, d.n, d.velocities()); };
+    const auto of_t = [&] { tier.terminal_rows(d.alpha, d.terminal()); };
+    compare("arrays of " + tier.name + " velocities", v, of_v, true);
+    compare("arrays of " + tier.name + " terminal", t, of_t, true);
+  }
   if (d.sum == 1) std::puts("");
 }
 /// Time of arrays of terminal velocities where counts are large, and rows that Accurate leaves.
@@ -179,8 +160,7 @@ void far_ranges() {
 
 int main() {
   public_calls();
-  for (const char* name : {"avx512", "avx2", "baseline"}) {
-    if (const numbers::Kernels* table = numbers::kernels_named(name)) everyday(*table);
-  }
+  const auto all = testing::all_kernels();
+  for (std::size_t i = all.size(); i-- > 0;) everyday(*all[i]);
   far_ranges();
 }

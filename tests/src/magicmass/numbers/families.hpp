@@ -8,12 +8,16 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <random>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
+#include "magicmass/numbers/fast.hpp"
+#include "magicmass/numbers/kernels.hpp"
 
 namespace magicmass::testing {
 using Random = std::mt19937_64;
@@ -63,16 +67,62 @@ inline const std::vector<Family> families{
                        neighbour(1, 1), 0.5, 0x1p-53, 0x1.5acd9597016aap-968, 0x1p-1074});
      }}};
 
-/// Columns of a, b, c, c', a_t, b_t, c_t, rho; of N_A, N_B.
+/// The public functions of a tier.
+struct Calls {
+  std::string name;
+  Velocities (*velocities)(double, std::int64_t);
+  std::optional<Terminal> (*terminal)(double);
+  Collision (*collision)(double, std::int64_t);
+  double (*angle)(double);
+  Ratios (*ratios)(std::int64_t);
+  void (*velocity_rows)(std::span<const double>, std::span<const std::int64_t>,
+                        const VelocityColumns&);
+  void (*terminal_rows)(std::span<const double>, const TerminalColumns&);
+};
+inline const Calls tiers[]{
+    {"fast", fast::velocities, fast::terminal, fast::collision, fast::angle, fast::ratios,
+     fast::velocities, fast::terminal},
+    {"accurate", accurate::velocities, accurate::terminal, accurate::collision, accurate::angle,
+     accurate::ratios, accurate::velocities, accurate::terminal}};
+
+/// Those that this processor can run.
+inline std::vector<const numbers::Kernels*> all_kernels() {
+  std::vector<const numbers::Kernels*> all;
+  for (const char* name : {"baseline", "avx2", "avx512"})
+    if (const auto* kernels = numbers::kernels_named(name)) all.push_back(kernels);
+  return all;
+}
+
+/// Inputs and columns of a, b, c, c', a_t, b_t, c_t, rho; of N_A, N_B.
 struct Table {
-  explicit Table(std::size_t rows) {
-    for (auto& column : values) column.resize(rows);
-    for (auto& column : counts) column.resize(rows);
+  explicit Table(std::size_t rows) : alpha(rows), n(rows) {
+    values.fill(alpha);
+    counts.fill(n);
   }
   VelocityColumns velocities() { return {values[0], values[1], values[2], values[3]}; }
   TerminalColumns terminal() {
     return {counts[0], counts[1], values[4], values[5], values[6], values[7]};
   }
+  void fill(const Calls& tier) {
+    tier.velocity_rows(alpha, n, velocities());
+    tier.terminal_rows(alpha, terminal());
+  }
+  Velocities velocities(std::size_t i) const {
+    return {values[0][i], values[1][i], values[2][i], values[3][i]};
+  }
+  Terminal terminal(std::size_t i) const {
+    return {{counts[0][i], counts[1][i]}, values[4][i], values[5][i], values[6][i], values[7][i]};
+  }
+  /// For a kernel, from row i on.
+  numbers::VelocityRows velocities_from(std::size_t i) {
+    return {&alpha[i], &n[i], &values[0][i], &values[1][i], &values[2][i], &values[3][i]};
+  }
+  numbers::TerminalRows terminal_from(std::size_t i) {
+    return {&alpha[i],     &counts[0][i], &counts[1][i], &values[4][i],
+            &values[5][i], &values[6][i], &values[7][i]};
+  }
+  std::vector<double> alpha;  // first: the others are made of them
+  std::vector<std::int64_t> n;
   std::array<std::vector<double>, 8> values;
   std::array<std::vector<std::int64_t>, 2> counts;
 };
@@ -89,5 +139,18 @@ inline std::int64_t some_index(Random& random, std::int64_t last) {
 inline std::int64_t some_cycle(Random& random, double alpha) {
   const std::optional<Counts> counts = count_collisions(alpha);
   return some_index(random, counts ? counts->N_A : INT64_MAX / 2);
+}
+/// N_A + N_B, or INT64_MAX.
+inline std::int64_t number_of_collisions(double alpha) {
+  const std::optional<Counts> counts = count_collisions(alpha);
+  return counts ? counts->N_A + counts->N_B : INT64_MAX;
+}
+inline std::int64_t some_collision(Random& random, double alpha) {
+  return some_index(random, number_of_collisions(alpha) - 1);
+}
+inline std::string in_hex(double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%a", x);
+  return text;
 }
 }  // namespace magicmass::testing

@@ -2,7 +2,6 @@
 // All bits of 4000 rows, from the array calls of both tiers: compilers and processors agree.
 #pragma once
 
-#include "magicmass/numbers/fast.hpp"
 #include "src/magicmass/numbers/families.hpp"
 
 namespace magicmass::testing {
@@ -12,19 +11,16 @@ constexpr std::uint64_t pinned_fingerprint = 0x5715f31315d49271;
 inline std::uint64_t fingerprint() {
   constexpr std::size_t rows = 4000;
   Random random(43);
-  std::vector<double> alpha;
-  std::vector<std::int64_t> n;
+  Table in(rows);
   for (std::size_t row = 0; row < rows; ++row) {
     const int exponent = int(random() % 20);
-    alpha.push_back(std::ldexp(double(1 + (random() >> 11)), -53 - exponent));
+    in.alpha[row] = std::ldexp(double(1 + (random() >> 11)), -53 - exponent);
     const std::int64_t some = 1 + std::int64_t(random() % 2);
-    n.push_back(alpha.back() < 0.4 ? some : 1);
+    in.n[row] = in.alpha[row] < 0.4 ? some : 1;
   }
-  std::array<Table, 2> both{Table(rows), Table(rows)};
-  accurate::velocities(alpha, n, both[0].velocities());
-  accurate::terminal(alpha, both[0].terminal());
-  fast::velocities(alpha, n, both[1].velocities());
-  fast::terminal(alpha, both[1].terminal());
+  std::array<Table, 2> both{in, in};
+  both[0].fill(tiers[1]);
+  both[1].fill(tiers[0]);
   std::uint64_t bits = 0;
   for (std::size_t row = 0; row < rows; ++row) {
     for (const Table& tier : both) {
