@@ -16,22 +16,21 @@ std::string random_chain(std::uint64_t seed, bool only_halves) {
   std::mt19937_64 random(seed);
   const std::uint64_t below = only_halves ? 2 : 89;
   const std::size_t bodies = 2 + random() % 4;
-  std::string masses, velocities, positions;
+  std::vector<std::string> masses, velocities, positions;
   std::uint64_t place = 0;
   const auto fraction = [&](std::int64_t above) {
-    return '"' + std::to_string(above) + "/" + std::to_string(below) + "\",";
+    return "'" + std::to_string(above) + "/" + std::to_string(below) + "'";
   };
   for (std::size_t i = 0; i < bodies; ++i) {
     place += random() % (3 * below);
-    masses += fraction(static_cast<std::int64_t>(1 + random() % (2 * below)));
-    positions += fraction(static_cast<std::int64_t>(place));
-    velocities += fraction(static_cast<std::int64_t>(random() % (4 * below)) -
-                           static_cast<std::int64_t>(2 * below));
+    masses.push_back(fraction(static_cast<std::int64_t>(1 + random() % (2 * below))));
+    positions.push_back(fraction(static_cast<std::int64_t>(place)));
+    velocities.push_back(fraction(static_cast<std::int64_t>(random() % (4 * below)) -
+                                  static_cast<std::int64_t>(2 * below)));
   }
-  const std::string wall = random() % 2 == 0 ? "left_wall = -1\n" : "";
-  const std::string restitution = random() % 3 == 0 ? "restitution = 0.9\n" : "";
-  return "kind = 'chain'\nmasses = [" + masses + "]\npositions = [" + positions +
-         "]\nvelocities = [" + velocities + "]\n" + wall + restitution + "max_events = 12\n";
+  return "kind = 'chain'\nmasses = " + list(masses) + "positions = " + list(positions) +
+         "velocities = " + list(velocities) + (random() % 2 == 0 ? "left_wall = -1\n" : "") +
+         (random() % 3 == 0 ? "restitution = 0.9\n" : "") + "max_events = 12\n";
 }
 
 }  // namespace

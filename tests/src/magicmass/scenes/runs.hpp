@@ -2,8 +2,10 @@
 // Scenes as text, and what they come to in doubles.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
+#include "catch.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace magicmass::scenes {
@@ -16,6 +18,33 @@ inline Scene scene_of(const std::string& text, bool is_exact = false) {
 }
 inline Result result_of(const std::string& text, bool is_exact = false) {
   return run(scene_of(text, is_exact));
+}
+/// As a scene writes it.
+inline std::string quoted(const cln::cl_RA& x) { return "'" + Quadratic(x).text() + "'"; }
+inline std::string list(const std::vector<std::string>& values) {
+  std::string all;
+  for (const std::string& value : values) all += value + ", ";
+  return "[" + all + "]\n";
+}
+/// What a mirror shows of it.
+inline Scene mirrored(Scene scene) {
+  const auto turn = [](Value& x) { x = read_value("-(" + x.text + ")"); };
+  for (auto* values : {&scene.masses, &scene.positions, &scene.velocities})
+    std::ranges::reverse(*values);
+  for (auto* values : {&scene.positions, &scene.velocities}) std::ranges::for_each(*values, turn);
+  std::swap(scene.left_wall, scene.right_wall);
+  for (auto* wall : {&scene.left_wall, &scene.right_wall})
+    if (*wall) turn(**wall);
+  return scene;
+}
+inline void check_mirrored(const Result& result, const Result& mirrored) {
+  REQUIRE(mirrored.status == result.status);
+  REQUIRE(mirrored.events == result.events);
+  REQUIRE(number(mirrored.energy) == number(result.energy));
+  REQUIRE(mirrored.counts == std::vector(result.counts.rbegin(), result.counts.rend()));
+  const std::size_t bodies = result.terminal.size();
+  for (std::size_t k = 0; k < bodies; ++k)
+    REQUIRE(number(mirrored.terminal[bodies - 1 - k]) == -number(result.terminal[k]));
 }
 /// Those that the scene wants to see.
 inline std::vector<Row> rows_of(const Scene& scene) {
