@@ -9,7 +9,7 @@
 
 #include "catch.hpp"
 #include "magicmass/arithmetic/simd.hpp"
-#include "magicmass/numbers/kernels.hpp"
+#include "refusal.hpp"
 #include "src/magicmass/numbers/fingerprint.hpp"
 
 using namespace magicmass;
@@ -33,26 +33,17 @@ Table rows_of(std::size_t size, Random& random) {
   }
   return rows;
 }
-/// Columns of `size` rows from `offset` on, with sentinels on both sides.
-template <class T>
-struct Column {
-  static constexpr T sentinel = -77;
-  std::size_t size, offset;
-  std::vector<T> all = std::vector<T>(size + 16, sentinel);
-  std::span<T> span() { return {all.data() + offset, size}; }
-  bool is_kept() {
-    std::ranges::fill(span(), sentinel);
-    return all == std::vector<T>(size + 16, sentinel);
-  }
-};
+/// Rows of a larger table, which keeps what is around them.
 void check_rows(const Calls& calls, std::size_t size, std::size_t offset, Random& random) {
   const Table rows = rows_of(size, random);
-  std::vector<Column<double>> out(8, {size, offset});
-  std::vector<Column<std::int64_t>> counts(2, {size, offset});
+  Table out(size + 16);
+  for (auto& column : out.values) column.assign(size + 16, -77);
+  const Table before = out;
   INFO(size << " rows from " << offset);
-  const auto o = [&](std::size_t c) { return out[c].span(); };
+  const auto o = [&](std::size_t c) { return std::span(out.values[c]).subspan(offset, size); };
+  const auto N = [&](std::size_t c) { return std::span(out.counts[c]).subspan(offset, size); };
   calls.velocity_rows(rows.alpha, rows.n, {o(0), o(1), o(2), o(3)});
-  calls.terminal_rows(rows.alpha, {counts[0].span(), counts[1].span(), o(4), o(5), o(6), o(7)});
+  calls.terminal_rows(rows.alpha, {N(0), N(1), o(4), o(5), o(6), o(7)});
   for (std::size_t i = 0; i < size; ++i) {
     INFO("row " << i << ", alpha = " << in_hex(rows.alpha[i]) << ", n = " << rows.n[i]);
     Velocities v{NAN, NAN, NAN, NAN};
@@ -64,11 +55,11 @@ void check_rows(const Calls& calls, std::size_t size, std::size_t offset, Random
     }
     const double alone[] = {v.a, v.b, v.c, v.c_prime, t.a_t, t.b_t, t.c_t, t.rho};
     for (std::size_t c = 0; c < 8; ++c) REQUIRE(is_same(o(c)[i], alone[c]));
-    REQUIRE(counts[0].span()[i] == t.counts.N_A);
-    REQUIRE(counts[1].span()[i] == t.counts.N_B);
+    REQUIRE((N(0)[i] == t.counts.N_A && N(1)[i] == t.counts.N_B));
   }
-  for (auto& column : out) REQUIRE(column.is_kept());
-  for (auto& column : counts) REQUIRE(column.is_kept());
+  for (std::size_t c = 0; c < 8; ++c) std::ranges::fill(o(c), -77);
+  for (std::size_t c = 0; c < 2; ++c) std::ranges::fill(N(c), 0);
+  REQUIRE((out.values == before.values && out.counts == before.counts));
 }
 }  // namespace
 
@@ -89,18 +80,15 @@ TEST_CASE("all instruction sets give the same bits, and leave the same rows open
   for (const numbers::Kernels* table : all_kernels()) {
     INFO(table->name);
     for (int tier : {0, 1}) {
-      const auto answers = [&](const numbers::Kernels& of, Table& t) {
+      const auto open_rows = [&](const numbers::Kernels& of, Table& t) {
         numbers::Open open;
-        std::vector<std::size_t> all;
-        for (std::size_t left : {of.velocity_rows[tier](size, t.velocities_from(0), open),
-                                 of.terminal_rows[tier](size, t.terminal_from(0), open)}) {
-          CHECK(left < size / 2);
-          all.push_back(left);
-        }
-        return all;
+        const std::size_t first = of.velocity_rows[tier](size, t.velocities_from(0), open);
+        const std::size_t second = of.terminal_rows[tier](size, t.terminal_from(0), open);
+        CHECK(std::max(first, second) < size / 2);
+        return std::pair(first, second);
       };
       Table best = rows, other = rows;
-      CHECK(answers(numbers::kernels(), best) == answers(*table, other));
+      CHECK(open_rows(numbers::kernels(), best) == open_rows(*table, other));
       for (std::size_t c = 0; c < 8; ++c)
         CHECK(std::ranges::equal(best.values[c], other.values[c], is_same));
       CHECK(best.counts == other.counts);
@@ -132,48 +120,31 @@ TEST_CASE(
   const std::span<double> last = std::span(out).last(20), first = std::span(out).first(20);
   CHECK_NOTHROW(fast::velocities(last, std::span(n).first(20), {.a = first}));
 }
-/// Whether f, which must not throw, says true in each of these modes: roundings that are not to
-/// nearest, subnormals flushed to zero.
-bool in_foreign_modes(const std::function<bool()>& f) {
-  bool is_so = true;
+/// In roundings that are not to nearest, and where subnormals are flushed to zero.
+void check_refused(const std::function<void()>& call) {
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     std::fesetround(mode);
-    is_so = f() && is_so;
+    const std::string said = refusal<NotIeee>(call);
     std::fesetround(FE_TONEAREST);
+    CHECK(said == "this thread does not round to nearest");
   }
 #if defined(__SSE2__)
   for (const unsigned bit : {0x8000U, 0x0040U}) {  // results, operands flushed to zero
     const unsigned before = _mm_getcsr();
     _mm_setcsr(before | bit);
-    is_so = f() && is_so;
+    const std::string said = refusal<NotIeee>(call);
     _mm_setcsr(before);
+    CHECK(said == "this thread flushes subnormal numbers to zero");
   }
 #endif
-  return is_so;
+  CHECK(refusal<NotIeee>(call) == "not refused");
 }
 TEST_CASE("array calls refuse another rounding mode or lost subnormal numbers, and say which") {
-  const std::vector<double> alpha(3, 0.1);
-  const std::vector<std::int64_t> n(3, 1);
-  std::vector<double> out(3);
-  std::vector<std::int64_t> counts(3);
-  std::vector<std::function<void()>> calls{[&] { count_collisions(alpha, counts, {}); }};
+  Table t(3);
+  t.alpha.assign(3, 0.1);
+  check_refused([&] { count_collisions(t.alpha, t.counts[0], {}); });
   for (const Calls& tier : tiers) {
-    calls.emplace_back([&] { tier.terminal_rows(alpha, {.a_t = out}); });
-    calls.emplace_back([&] { tier.velocity_rows(alpha, n, {.a = out}); });
-  }
-  for (const auto& call : calls) {
-    const auto refuses = [&] {
-      const bool is_rounding = std::fegetround() != FE_TONEAREST;
-      try {
-        call();
-        return false;
-      } catch (const NotIeee& error) {
-        return std::string("this thread ") + (is_rounding ? "does not round to nearest"
-                                                          : "flushes subnormal numbers to zero") ==
-               error.what();
-      }
-    };
-    CHECK(in_foreign_modes(refuses));
-    CHECK_FALSE(refuses());
+    check_refused([&] { tier.velocity_rows(t.alpha, t.n, t.velocities()); });
+    check_refused([&] { tier.terminal_rows(t.alpha, t.terminal()); });
   }
 }
