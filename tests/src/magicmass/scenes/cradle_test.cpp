@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "catch.hpp"
-#include "magicmass/scenes/run.hpp"
+#include "magicmass/scenes/keys.hpp"
 #include "runs.hpp"
 
 using namespace magicmass::scenes;
@@ -99,21 +99,12 @@ TEST_CASE("a cradle of larger numbers moves as doubles do", "[check]") {
 }
 
 TEST_CASE("places at given times are those of the engine", "[check]") {
-  const std::string cradle =
-      "kind = 'chain'\nblocks = 4\nballs = 'sqrt(5)-2'\nwalls = 'both'\nuntil = 60\n";
-  const std::string chain =
-      "kind = 'chain'\nmasses = [2, '1/3', 3, '4/7']\npositions = [0, '1/2', '5/4', 2]\n"
-      "velocities = [1, 0, '-1/4', 0]\nright_wall = 4\nrestitution = '7/8'\nuntil = 60\n";
-  const std::string wall =
-      "kind = 'wall'\nmass_ratio = 4567\nleft_wall = '-7/3'\npositions = ['-1/3', '1/7']\n"
-      "velocities = [0, '-1/7']\nuntil = 60\n";
-  const std::string drifting =
-      "masses = [1, '1/999', 2]\npositions = ['-1/3', 0, '5/2']\nvelocities = ['1/2', '1/4', "
-      "'1/4']\n"
-      "restitution = '9998/10000'\nuntil = 60\n";
   std::string times;
   for (int n = 0; n < 300; ++n) times += "'" + std::to_string(n) + "/5',";
-  for (const std::string& text : {cradle, chain, wall, drifting}) {
+  for (const std::string name : {"cradle", "chain", "wall", "drifting"}) {
+    const std::string file =
+        MAGICMASS_SOURCE "/tests/src/magicmass/scenes/places/" + name + ".toml";
+    const std::string text = text_of(file, "a scene");
     for (const bool exact : {true, false}) {
       const Scene scene =
           scene_of(text + "outputs = ['trajectory']\ntimes = [" + times + "70]\n", exact);
