@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/magicmass/numbers/families.hpp"
+#include "src/magicmass/numbers/tiers.hpp"
 
 namespace {
 using namespace magicmass;

@@ -4,20 +4,16 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <random>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
-#include "magicmass/numbers/fast.hpp"
-#include "magicmass/numbers/kernels.hpp"
 
 namespace magicmass::testing {
 using Random = std::mt19937_64;
@@ -66,66 +62,6 @@ inline const std::vector<Family> families{
        return pick(r, {0x1.1c7397cb68b7ep-18, 0x1.bc7fb47556f22p-29, 1.0, neighbour(1, -1),
                        neighbour(1, 1), 0.5, 0x1p-53, 0x1.5acd9597016aap-968, 0x1p-1074});
      }}};
-
-/// The public functions of a tier.
-struct Calls {
-  std::string name;
-  Velocities (*velocities)(double, std::int64_t);
-  std::optional<Terminal> (*terminal)(double);
-  Collision (*collision)(double, std::int64_t);
-  double (*angle)(double);
-  Ratios (*ratios)(std::int64_t);
-  void (*velocity_rows)(std::span<const double>, std::span<const std::int64_t>,
-                        const VelocityColumns&);
-  void (*terminal_rows)(std::span<const double>, const TerminalColumns&);
-};
-inline const Calls tiers[]{
-    {"fast", fast::velocities, fast::terminal, fast::collision, fast::angle, fast::ratios,
-     fast::velocities, fast::terminal},
-    {"accurate", accurate::velocities, accurate::terminal, accurate::collision, accurate::angle,
-     accurate::ratios, accurate::velocities, accurate::terminal}};
-
-/// Those that this processor can run.
-inline std::vector<const numbers::Kernels*> all_kernels() {
-  std::vector<const numbers::Kernels*> all;
-  for (const char* name : {"baseline", "avx2", "avx512"})
-    if (const auto* kernels = numbers::kernels_named(name)) all.push_back(kernels);
-  return all;
-}
-
-/// Inputs and columns of a, b, c, c', a_t, b_t, c_t, rho; of N_A, N_B.
-struct Table {
-  explicit Table(std::size_t rows) : alpha(rows), n(rows) {
-    values.fill(alpha);
-    counts.fill(n);
-  }
-  VelocityColumns velocities() { return {values[0], values[1], values[2], values[3]}; }
-  TerminalColumns terminal() {
-    return {counts[0], counts[1], values[4], values[5], values[6], values[7]};
-  }
-  void fill(const Calls& tier) {
-    tier.velocity_rows(alpha, n, velocities());
-    tier.terminal_rows(alpha, terminal());
-  }
-  Velocities velocities(std::size_t i) const {
-    return {values[0][i], values[1][i], values[2][i], values[3][i]};
-  }
-  Terminal terminal(std::size_t i) const {
-    return {{counts[0][i], counts[1][i]}, values[4][i], values[5][i], values[6][i], values[7][i]};
-  }
-  /// For a kernel, from row i on.
-  numbers::VelocityRows velocities_from(std::size_t i) {
-    return {&alpha[i], &n[i], &values[0][i], &values[1][i], &values[2][i], &values[3][i]};
-  }
-  numbers::TerminalRows terminal_from(std::size_t i) {
-    return {&alpha[i],     &counts[0][i], &counts[1][i], &values[4][i],
-            &values[5][i], &values[6][i], &values[7][i]};
-  }
-  std::vector<double> alpha;  // first: the others are made of them
-  std::vector<std::int64_t> n;
-  std::array<std::vector<double>, 8> values;
-  std::array<std::vector<std::int64_t>, 2> counts;
-};
 
 /// 0 to 3, one of the last two, or any between; `last` may be INT64_MAX.
 inline std::int64_t some_index(Random& random, std::int64_t last) {

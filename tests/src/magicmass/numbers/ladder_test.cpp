@@ -7,6 +7,7 @@
 #include "catch.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
+#include "src/magicmass/numbers/tiers.hpp"
 
 using namespace magicmass;
 using namespace magicmass::testing;

@@ -11,6 +11,7 @@
 #include "src/magicmass/numbers/by_formulas.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
+#include "src/magicmass/numbers/tiers.hpp"
 
 namespace {
 using namespace magicmass;
@@ -99,7 +100,7 @@ int main(int count, char** arguments) {
       table.n[i] = some_cycle(random, table.alpha[i]);
       rows[i] = {&family, table.alpha[i], table.n[i]};
     }
-    table.fill(tiers[1]);
+    table.fill(tiers[numbers::accurate]);
     for (std::size_t i = 0; i < block; ++i)
       check(rows[i], table.velocities(i), table.terminal(i), random() % 1000 == 0,
             tallies[rows[i].family->name]);
