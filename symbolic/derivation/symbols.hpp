@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "algebra/tactics.hpp"
 #include "algebra/ginac.hpp"
+#include "algebra/tactics.hpp"
 #include "derivation/book.hpp"
 #include "kernel/defined.hpp"
 #include "kernel/polynomial.hpp"

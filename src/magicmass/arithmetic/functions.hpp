@@ -78,8 +78,7 @@ struct SineCosine {
 template <class Tier, class T>
 [[gnu::always_inline]] inline SineCosine<DoubleDouble<T>> sine_cosine_small(DoubleDouble<T> x) {
   const DoubleDouble<T> square = x * x;
-  return {x * polynomial<Tier::small_sine>(square),
-          polynomial<Tier::small_cosine>(square)};
+  return {x * polynomial<Tier::small_sine>(square), polynomial<Tier::small_cosine>(square)};
 }
 /// 0 <= x <= 3 pi/4: above pi/4 a quarter turn is taken off. The cosine's
 /// low part may be large against its high part, near a quarter turn.
