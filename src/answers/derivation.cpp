@@ -2,13 +2,10 @@
 #include "answers/derivation.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "answers/errors.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
-#include "kernel/print.hpp"
-#include "render/pages.hpp"
 
 namespace answers {
 namespace {

@@ -6,7 +6,6 @@
 #include "answers/errors.hpp"
 #include "answers/meanings.hpp"
 #include "derivation/book.hpp"
-#include "kernel/print.hpp"
 
 namespace answers {
 namespace {

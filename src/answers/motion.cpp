@@ -4,7 +4,6 @@
 #include "answers/errors.hpp"
 #include "answers/meanings.hpp"
 #include "equality/constant.hpp"
-#include "kernel/print.hpp"
 #include "magicmass/numbers/counts.hpp"
 
 namespace answers {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 
 namespace answers {
 namespace {

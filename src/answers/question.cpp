@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/question.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 

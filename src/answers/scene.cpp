@@ -3,7 +3,6 @@
 
 #include <iomanip>
 #include <sstream>
-#include <utility>
 
 #include "answers/errors.hpp"
 #include "magicmass/scenes/run.hpp"

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/velocities.hpp"
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 #include "answers/errors.hpp"
 #include "answers/meanings.hpp"
 #include "answers/motion.hpp"
 #include "answers/polynomial.hpp"
 #include "derivation/book.hpp"
-#include "kernel/print.hpp"
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
-#include "magicmass/simulator/contact.hpp"
 
 namespace answers {
 namespace {

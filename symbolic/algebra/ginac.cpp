@@ -7,7 +7,6 @@
 #include <ginac/ginac.h>
 
 #include "kernel/polynomial.hpp"
-#include "kernel/print.hpp"
 
 namespace algebra {
 namespace {

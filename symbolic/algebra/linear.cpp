@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "algebra/tactics.hpp"
-#include "kernel/print.hpp"
 
 namespace algebra {
 namespace {

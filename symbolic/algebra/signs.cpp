@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "algebra/tactics.hpp"
-#include "kernel/print.hpp"
 
 namespace algebra {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 
 namespace balls {
 namespace {

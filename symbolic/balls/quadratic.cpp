@@ -6,7 +6,7 @@
 
 #include <cln/real.h>
 
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 
 namespace balls {
 namespace {

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "codegen/operations.hpp"
-#include "kernel/print.hpp"
 
 namespace codegen {
 namespace {

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "codegen/emit.hpp"
-#include "kernel/print.hpp"
 
 namespace codegen {
 namespace {

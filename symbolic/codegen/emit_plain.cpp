@@ -4,7 +4,6 @@
 #include <regex>
 
 #include "codegen/emit.hpp"
-#include "kernel/print.hpp"
 
 namespace codegen {
 namespace {

@@ -5,7 +5,6 @@
 #include "codegen/lower.hpp"
 #include "codegen/text.hpp"
 #include "kernel/names.hpp"
-#include "kernel/print.hpp"
 
 namespace codegen {
 namespace {

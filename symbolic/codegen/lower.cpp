@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "kernel/print.hpp"
-
 namespace codegen {
 namespace {
 using kernel::Expr;

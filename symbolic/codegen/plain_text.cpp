@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Operations as they are typed, with no more brackets than it takes.
 #include "codegen/emit.hpp"
-#include "kernel/print.hpp"
 
 namespace codegen {
 namespace {

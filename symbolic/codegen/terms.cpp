@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "codegen/builder.hpp"
-#include "kernel/print.hpp"
 
 namespace codegen {
 using kernel::Expr;

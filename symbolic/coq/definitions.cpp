@@ -40,7 +40,7 @@ std::string integer_lemma(Expr call, const std::string& proof) {
     if (p.sort() == Sort::Int) premises += "isint " + name(p.name()) + " -> ";
   const std::string binders = spaced(names_of(call.args()));
   return "Lemma int'" + call.name() + " : " + (binders.empty() ? "" : "forall" + binders + ", ") +
-         premises + "isint " + text(call) + ".\nProof. intros. " + proof +
+         premises + "isint " + gallina(call) + ".\nProof. intros. " + proof +
          " Qed.\nGlobal Hint Resolve int'" + call.name() + " : int.\n";
 }
 }  // namespace
@@ -54,9 +54,9 @@ std::string Script::definition(const Theorem& t) {
   for (Expr e : s.extras)
     if (!(e == call)) define_all(e);
   const std::string value = is_least
-                                ? "least " + text(s.extras[1]) + " (fun " +
-                                      name(s.extras[2].name()) + " => " + text(s.extras[3]) + ")"
-                                : text(s.extras[1]);
+                                ? "least " + gallina(s.extras[1]) + " (fun " +
+                                      name(s.extras[2].name()) + " => " + gallina(s.extras[3]) + ")"
+                                : gallina(s.extras[1]);
   static const std::map<Sort, std::string> types = {
       {Sort::Real, "R"}, {Sort::Int, "R"}, {Sort::Bool, "Prop"}, {Sort::Matrix, "list R"}};
   const std::string made = head + " : " + types.at(call.sort()) + " := " + value + ".\n";
@@ -100,8 +100,8 @@ std::string Script::recursion(const kernel::Step& s) {
   std::string all, values;
   for (std::size_t i = 0; i < r.values.size(); ++i) {
     all += (i == 0 ? "Fixpoint all'" : "\nwith all'") + r.values[i].name() + parameters(r.params) +
-           " (k'0 : nat) {struct k'0} : R :=\n  match k'0 with O => " + text(r.start[i]) +
-           " | S m'0 => " + text(r.next[i], {}, before) + " end";
+           " (k'0 : nat) {struct k'0} : R :=\n  match k'0 with O => " + gallina(r.start[i]) +
+           " | S m'0 => " + gallina(r.next[i], {}, before) + " end";
     values += "Definition " + name(r.values[i].name()) + parameters(r.values[i].args()) +
               " : R := " + r.value(i, "(toN " + name(r.n.name()) + ")") + ".\n";
   }
@@ -117,9 +117,9 @@ std::string Script::recursive(const Theorem& t) {
   const std::string jump = "(f_equal (fun k'0 => " + r.value(i, "k'0") + ") ";
   if (is_start) return "exact " + jump + "toN_0).";
   Atoms now{{r.n, "z'0"}};
-  for (std::size_t k = 0; k < r.values.size(); ++k) now[r.before[k]] = text(r.values[k]);
+  for (std::size_t k = 0; k < r.values.size(); ++k) now[r.before[k]] = gallina(r.values[k]);
   const std::string from_0 = " " + name(r.n.name()) + " i'" + r.n.name() + " h'0)";
   return "intro h'0. exact (eq_trans " + jump + "(toN_next" + from_0 + ") (f_equal (fun z'0 => " +
-         text(r.next[i], {}, now) + ") (fromN_toN" + from_0 + ")).";
+         gallina(r.next[i], {}, now) + ") (fromN_toN" + from_0 + ")).";
 }
 }  // namespace coq

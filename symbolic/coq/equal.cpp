@@ -60,7 +60,7 @@ Script::Core Script::core(const Abstraction& a, const Names& bound) {
   std::string premises, arrows, proofs;
   for (Expr e : a.atoms) {
     out.intros += " " + a.print(e);
-    out.arguments += " " + text(e, bound);
+    out.arguments += " " + gallina(e, bound);
     const Expr form = kernel::canonical(e);
     if (form == e) continue;
     premises += a.print(e) + " = " + a.print(form) + " -> ";
@@ -97,7 +97,8 @@ std::string Script::to_canonical(Expr e, const Names& bound) {
   const Expr form = kernel::canonical(e);
   if (form == e) return "eq_refl";
   return shared(
-      "e'", e, bound, [&](const Names& own) { return text(e, own) + " = " + text(form, own); },
+      "e'", e, bound,
+      [&](const Names& own) { return gallina(e, own) + " = " + gallina(form, own); },
       [&] { return prove_canonical(e); });
 }
 std::string Script::prove_canonical(Expr e) {
@@ -106,7 +107,7 @@ std::string Script::prove_canonical(Expr e) {
   if (e.op() == Op::Det || e.op() == Op::Times || e.op() == Op::Transpose) {
     const Expr computed =
         e.op() == Op::Det ? laplace(e.arg(0)) : kernel::matrix(e.cols(), kernel::entries(e));
-    return "change (" + text(computed, own) + " = " + text(form, own) + "). exact " +
+    return "change (" + gallina(computed, own) + " = " + gallina(form, own) + "). exact " +
            to_canonical(computed, own) + ".";
   }
   if (!is_sum_or_product(e) && !is_number(e)) {
@@ -119,7 +120,7 @@ std::string Script::prove_canonical(Expr e) {
     congruence += "|f_equal]";
     const Expr applied = kernel::with_args(e, args);
     if (applied == form) return congruence + ".";
-    return "transitivity " + text(applied, own) + "; [" + congruence + "|exact " +
+    return "transitivity " + gallina(applied, own) + "; [" + congruence + "|exact " +
            to_canonical(applied, own) + "].";  // inv(1 + 1)
   }
   Abstraction a;
@@ -142,7 +143,7 @@ std::string Script::same_entries(Expr f, const Names& bound) {
   const std::string count = std::to_string(kernel::entries(f.arg(0)).size());
   return shared(
       "m'", f, bound,
-      [&](const Names& own) { return text(f, own) + " <-> " + text(by_entries(f), own); },
+      [&](const Names& own) { return gallina(f, own) + " <-> " + gallina(by_entries(f), own); },
       [&] { return "entrywise " + count + "%nat."; });
 }
 
@@ -166,7 +167,7 @@ std::string Script::same(Expr f, Expr g, const Names& bound) {
     std::string predicates;
     for (Expr h : {f, g})
       predicates += "(fun " + v + " => " + (is_integer ? "isint " + v + " -> " : "") +
-                    text(h.arg(0), inner) + ") ";
+                    gallina(h.arg(0), inner) + ") ";
     const std::string proof = same(f.arg(0), g.arg(0), inner);
     return "(same_all " + predicates + "(fun " + v + " => " +
            (is_integer ? "same_imp _ _ _ _ (iff_refl _) " : "") + proof + "))";

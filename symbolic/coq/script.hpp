@@ -20,8 +20,8 @@ using Atoms = std::map<kernel::Expr, std::string>;
 
 /// A name of the kernel; those that Coq or the prelude uses get a mark.
 std::string name(const std::string& kernel_name);
-/// `bound`: what the variables of the quantifiers around e are called, outermost first.
-std::string text(kernel::Expr e, const Names& bound = {}, const Atoms& atoms = {});
+/// In Coq's language. `bound`: what the variables of the quantifiers around e are called,
+/// outermost first.
 /// Names for the indices of e that lead out of it.
 Names loose_names(kernel::Expr e);
 /// "" or " name name".
@@ -38,8 +38,8 @@ public:
   void add(kernel::Expr e);
   void add_atoms_of(kernel::Expr term);
   /// For the statement, and for its proof, where each y' is replaced.
-  std::string print(kernel::Expr e) const { return text(e, {}, names); }
-  std::string replaced(kernel::Expr e) const { return text(e, {}, inside); }
+  std::string print(kernel::Expr e) const { return gallina(e, {}, names); }
+  std::string replaced(kernel::Expr e) const { return gallina(e, {}, inside); }
 
   Atoms names = {};
   Atoms inside = {};

@@ -28,8 +28,8 @@ std::string Script::statement(const Theorem& t) {
   std::string out = binders.empty() ? "" : "forall" + binders + " : R, ";
   for (Expr v : variables)
     if (v.sort() == Sort::Int) out += "isint " + name(v.name()) + " -> ";
-  for (Expr h : t.hypotheses()) out += text(h) + " -> ";
-  return out + text(t.conclusion());
+  for (Expr h : t.hypotheses()) out += gallina(h) + " -> ";
+  return out + gallina(t.conclusion());
 }
 std::string Script::add_lemma(const std::string& kind, const std::string& statement,
                               const std::string& proof) {
@@ -90,11 +90,11 @@ std::string Script::proof(const Theorem& t, const Context& c) {
   if (rule == "define")
     return s.extras[0].sort() == Sort::Bool ? "apply iff_refl." : "reflexivity.";
   if (rule == "matrix power")
-    return "exact (mpow_def " + std::to_string(s.extras[0].rows()) + " " + text(s.extras[0]) + " " +
-           text(s.extras[1]) + " ltac:(int)).";
+    return "exact (mpow_def " + std::to_string(s.extras[0].rows()) + " " + gallina(s.extras[0]) +
+           " " + gallina(s.extras[1]) + " ltac:(int)).";
   if (rule == "least")
-    return "exact (least_def " + text(s.extras[1]) + " (fun " + name(s.extras[2].name()) + " => " +
-           text(s.extras[3]) + ") " + text(s.extras[2]) + " ltac:(int) ltac:(int)).";
+    return "exact (least_def " + gallina(s.extras[1]) + " (fun " + name(s.extras[2].name()) +
+           " => " + gallina(s.extras[3]) + ") " + gallina(s.extras[2]) + " ltac:(int) ltac:(int)).";
   const Theorem& p = s.premises.at(0);
   Context inner = c;
   if (rule == "instantiate") return "exact " + applied(p, c, s.substitution) + ".";
@@ -114,14 +114,14 @@ std::string Script::proof(const Theorem& t, const Context& c) {
   if (rule != "specialize") kernel::refuse("no proof in Coq for the rule " + rule);
   const bool takes_integer = p.conclusion().bound_sort() == Sort::Int;
   define_all(e);
-  return "exact (" + applied(p, c) + " " + text(e) + (takes_integer ? " ltac:(int)" : "") + ").";
+  return "exact (" + applied(p, c) + " " + gallina(e) + (takes_integer ? " ltac:(int)" : "") + ").";
 }
 std::string Script::rewritten(const Theorem& t, const Context& c) {
   const kernel::Step s = t.step();
   const Expr equation = s.premises[0].conclusion(), l = equation.arg(0);
-  return "exact (eq_ind " + text(l) + " (fun z'0 => " +
-         text(s.premises[1].conclusion(), {}, {{l, "z'0"}}) + ") " + applied(s.premises[1], c) +
-         " " + text(equation.arg(1)) + " " + applied(s.premises[0], c) + ").";
+  return "exact (eq_ind " + gallina(l) + " (fun z'0 => " +
+         gallina(s.premises[1].conclusion(), {}, {{l, "z'0"}}) + ") " + applied(s.premises[1], c) +
+         " " + gallina(equation.arg(1)) + " " + applied(s.premises[0], c) + ").";
 }
 std::string Script::induction(const Theorem& t, const Context& c) {
   const kernel::Step s = t.step();
@@ -132,7 +132,7 @@ std::string Script::induction(const Theorem& t, const Context& c) {
   const Expr next =
       kernel::imp(kernel::logic_and({kernel::le(lo, n), f}), kernel::substitute(f, {{n, n + 1}}));
   const std::string v = name(n.name());
-  return "exact (induct (fun " + v + " => " + text(f) + ") " + text(lo) + " ltac:(int)" +
+  return "exact (induct (fun " + v + " => " + gallina(f) + ") " + gallina(lo) + " ltac:(int)" +
          " (proj1 " + same(base.conclusion(), first, {}) + " " + applied(base, c) + ") (fun " + v +
          " i'" + n.name() + " => proj1 " + same(step.conclusion(), next, {}) + " " +
          applied(step, c) + ") " + v + " i'" + n.name() + ").";
@@ -147,7 +147,7 @@ std::string Script::applied(const Theorem& p, const Context& c, const kernel::Su
   for (Expr v : variables_of(p)) {
     const Expr e = value(v);
     define_all(e);
-    out += " " + text(e);
+    out += " " + gallina(e);
     if (v.sort() == Sort::Int) integers += " ltac:(int)";
   }
   out += integers;

@@ -53,11 +53,11 @@ std::string Script::tautology(const Theorem& t, const Context& c) {
   std::string statement, arguments, proofs;
   const auto bridge = [&](Expr l, Expr r, const std::string& sign, const std::string& proof) {
     statement +=
-        "(" + text(l, {}, parts.names) + " <-> " + sign + text(r, {}, parts.names) + ") -> ";
+        "(" + gallina(l, {}, parts.names) + " <-> " + sign + gallina(r, {}, parts.names) + ") -> ";
     proofs += " " + proof;
   };
   for (Expr f : parts.order) {
-    arguments += " " + text(f);
+    arguments += " " + gallina(f);
     if (is_matrix_equation(f)) bridge(f, by_entries(f), "", same_entries(f, {}));
   }
   for (const auto& [form, alike] : parts.alike) {
@@ -73,13 +73,13 @@ std::string Script::tautology(const Theorem& t, const Context& c) {
     }
   }
   for (const Theorem& p : t.step().premises) {
-    statement += text(p.conclusion(), {}, parts.names) + " -> ";
+    statement += gallina(p.conclusion(), {}, parts.names) + " -> ";
     proofs += " " + applied(p, c);
   }
   std::string variables;
   for (Expr f : parts.order) variables += " " + parts.names.at(f);
   return "assert (c'0 : forall" + variables + " : Prop, " + statement +
-         text(t.conclusion(), {}, parts.names) +
+         gallina(t.conclusion(), {}, parts.names) +
          "). { clear. first [tauto | intros; apply NNPP; tauto]. } exact (c'0" + arguments +
          proofs + ").";
 }

@@ -2,7 +2,6 @@
 // One line of Coq for each operation of the kernel.
 
 #include "coq/script.hpp"
-#include "kernel/print.hpp"
 
 namespace coq {
 using kernel::Expr;
@@ -40,7 +39,7 @@ std::string sizes(std::initializer_list<int> of) {
 }
 }  // namespace
 
-std::string text(Expr e, const Names& bound, const Atoms& atoms) {
+std::string gallina(Expr e, const Names& bound, const Atoms& atoms) {
   static const std::map<Op, std::string> signs = {
       {Op::Add, " + "},   {Op::Mul, " * "},  {Op::Eq, " = "},   {Op::Lt, " < "},   {Op::Le, " <= "},
       {Op::And, " /\\ "}, {Op::Or, " \\/ "}, {Op::Imp, " -> "}, {Op::Iff, " <-> "}};
@@ -48,7 +47,7 @@ std::string text(Expr e, const Names& bound, const Atoms& atoms) {
   const auto joined = [&](const std::string& before, const std::string& between,
                           const std::string& after = ")") {
     std::string out;
-    for (Expr a : e.args()) out += (out.empty() ? before : between) + text(a, bound, atoms);
+    for (Expr a : e.args()) out += (out.empty() ? before : between) + gallina(a, bound, atoms);
     return out + after;
   };
   switch (e.op()) {
@@ -69,8 +68,8 @@ std::string text(Expr e, const Names& bound, const Atoms& atoms) {
       inner.push_back("q'" + std::to_string(bound.size()));
       const bool is_integer = e.bound_sort() == kernel::Sort::Int;
       return "(forall " + inner.back() + " : R, " +
-             (is_integer ? "isint " + inner.back() + " -> " : "") + text(e.arg(0), inner, atoms) +
-             ")";
+             (is_integer ? "isint " + inner.back() + " -> " : "") +
+             gallina(e.arg(0), inner, atoms) + ")";
     }
     case Op::Matrix:
       return joined("[", "; ", "]");

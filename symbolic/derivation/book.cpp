@@ -2,11 +2,9 @@
 #include "derivation/book.hpp"
 
 #include <algorithm>
-#include <set>
 
 #include "algebra/logic.hpp"
 #include "kernel/defined.hpp"
-#include "kernel/print.hpp"
 
 namespace derivation {
 using algebra::operator+;

@@ -2,7 +2,6 @@
 // The one place where chapters are put in order.
 #include <algorithm>
 
-#include "derivation/symbols.hpp"
 #include "derivation/wedge.hpp"
 
 namespace derivation {

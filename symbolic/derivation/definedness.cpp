@@ -2,8 +2,6 @@
 // Do the terms of a shown statement make sense? The kernel says what they need; it is proved here,
 // or the statement is not shown.
 #include <algorithm>
-#include <functional>
-#include <optional>
 
 #include "algebra/tactics.hpp"
 #include "derivation/book.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Cosines and sines of n x as sums of powers, and of (n + r) x: by Pascal's rule.
 #include "derivation/symbols.hpp"
-#include "kernel/polynomial.hpp"
 
 namespace derivation {
 namespace {

@@ -4,7 +4,6 @@
 // At alpha = alpha_k B takes everything (magic); at alpha = beta_k B and the ball go on together
 // (deficient).
 #include "derivation/symbols.hpp"
-#include "kernel/print.hpp"
 
 namespace derivation {
 namespace {

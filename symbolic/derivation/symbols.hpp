@@ -8,7 +8,6 @@
 #include "algebra/tactics.hpp"
 #include "derivation/book.hpp"
 #include "kernel/defined.hpp"
-#include "kernel/polynomial.hpp"
 
 namespace derivation {
 using namespace algebra;

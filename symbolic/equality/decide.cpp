@@ -5,7 +5,6 @@
 
 #include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
-#include "kernel/print.hpp"
 
 namespace equality {
 using kernel::Op;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "kernel/print.hpp"
-
 namespace equality {
 using kernel::Op;
 using kernel::refuse;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "kernel/polynomial.hpp"
-#include "kernel/print.hpp"
 #include "kernel/theorem.hpp"
 
 namespace kernel {

@@ -4,7 +4,6 @@
 // is assumed, and no instance can separate a name from what it depends on.
 
 #include "kernel/names.hpp"
-#include "kernel/print.hpp"
 #include "kernel/theorem.hpp"
 
 namespace kernel {

@@ -7,7 +7,6 @@
 #include <unordered_map>
 
 #include "kernel/names.hpp"
-#include "kernel/print.hpp"
 
 namespace kernel {
 void refuse(const std::string& why) { throw Refused(why); }

@@ -164,4 +164,11 @@ Exprs entries(Expr a);  ///< row by row
 bool is_term(Expr e);     ///< a number without loose index
 bool is_matrix(Expr e);   ///< a matrix without loose index
 bool is_formula(Expr e);  ///< a formula without loose index
+
+/// Printed, from the tree and nothing else; read back it is the same tree. Refused: a tree of more
+/// than 200,000 nodes, or with a loose index.
+std::string text(Expr e);
+/// For messages: cut after some 200 characters, never Refused.
+std::string brief(Expr e);
+std::string digits(const cln::cl_RA& q);  ///< "-2/3"
 }  // namespace kernel

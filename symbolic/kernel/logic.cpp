@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The rules of logic. Above each stands why it is sound.
 #include "kernel/polynomial.hpp"
-#include "kernel/print.hpp"
 #include "kernel/theorem.hpp"
 
 namespace kernel {

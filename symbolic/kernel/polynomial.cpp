@@ -4,8 +4,6 @@
 
 #include <numeric>
 
-#include "kernel/print.hpp"
-
 namespace kernel {
 namespace {
 constexpr int max_exponent = 1000000;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The printer. Each piece is printed with its level; bracketed() is the only place that adds
 // brackets.
-#include "kernel/print.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -2,7 +2,7 @@
 // Substitution, replacement, binding and opening: one walk that rebuilds a tree bottom-up.
 #include <functional>
 
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 
 namespace kernel {
 namespace {

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "kernel/print.hpp"
-
 namespace kernel {
 struct Theorem::Content {
   Exprs hypotheses;

@@ -10,7 +10,7 @@
 
 #include <cln/integer_io.h>
 
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 #include "notation/tokens.hpp"
 
 namespace notation {

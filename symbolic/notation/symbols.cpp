@@ -2,7 +2,6 @@
 // The names and functions of what people type, kept apart from those of the derivation.
 
 #include "kernel/names.hpp"
-#include "kernel/print.hpp"
 #include "notation/operations.hpp"
 #include "notation/typed.hpp"
 

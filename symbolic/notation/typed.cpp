@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <sstream>
 
-#include "kernel/print.hpp"
 #include "notation/operations.hpp"
 
 namespace notation {

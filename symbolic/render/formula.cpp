@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "kernel/names.hpp"
-#include "kernel/print.hpp"
 
 namespace render {
 namespace {

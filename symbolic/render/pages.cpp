@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "kernel/print.hpp"
-
 namespace render {
 namespace {
 using kernel::Expr;

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "derivation/symbols.hpp"
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 #include "magicmass/simulator/contact.hpp"
 
 using namespace derivation;

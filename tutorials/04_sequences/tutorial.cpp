@@ -7,7 +7,7 @@
 
 #include <cln/rational.h>
 
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"

@@ -7,7 +7,7 @@
 
 #include <cln/cln.h>
 
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 #include "magicmass/simulator/contact.hpp"
 
 using Matrix = std::array<cln::cl_R, 4>;

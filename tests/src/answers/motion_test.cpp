@@ -5,8 +5,6 @@
 #include "answers/errors.hpp"
 #include "catch.hpp"
 #include "magicmass/oracle/certain.hpp"
-#include "magicmass/oracle/count.hpp"
-#include "magicmass/oracle/quantities.hpp"
 
 using namespace answers;
 namespace oracle = magicmass::oracle;

@@ -7,7 +7,7 @@
 #include "answers/motion.hpp"
 #include "answers/velocities.hpp"
 #include "catch.hpp"
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 #include "law_of_collision.hpp"
 #include "magicmass/numbers/fast.hpp"
 

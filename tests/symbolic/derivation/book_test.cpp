@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The book is proved; a wrong formula, law or shape in its place is not.
 #include <algorithm>
-#include <set>
 
 #include "catch.hpp"
 #include "derivation/symbols.hpp"
 #include "kernel/names.hpp"
-#include "kernel/print.hpp"
 #include "refusal.hpp"
 
 using namespace derivation;

@@ -3,9 +3,7 @@
 #include "net.hpp"
 
 #include <algorithm>
-#include <map>
 #include <random>
-#include <set>
 #include <sstream>
 
 #include <cln/complex.h>

@@ -3,11 +3,7 @@
 // the paper's labels.
 #include "net.hpp"
 
-#include <set>
-#include <sstream>
-
 #include "catch.hpp"
-#include "kernel/print.hpp"
 #include "notation/read.hpp"
 #include "rows.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Attacks on arithmetic: certificates that do not certify.
 #include "attack.hpp"
-#include "kernel/print.hpp"
 
 using namespace kernel;
 using namespace attacked;

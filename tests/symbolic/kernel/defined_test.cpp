@@ -3,7 +3,6 @@
 #include "kernel/defined.hpp"
 
 #include "attack.hpp"
-#include "kernel/print.hpp"
 
 using namespace kernel;
 using namespace attacked;

@@ -2,7 +2,6 @@
 // Matrices as terms: entries, shapes, powers, determinants.
 #include "attack.hpp"
 #include "kernel/polynomial.hpp"
-#include "kernel/print.hpp"
 
 using namespace kernel;
 using namespace attacked;

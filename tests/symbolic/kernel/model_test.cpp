@@ -5,7 +5,6 @@
 
 #include "attack.hpp"
 #include "kernel/polynomial.hpp"
-#include "kernel/print.hpp"
 
 using namespace kernel;
 using namespace attacked;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "attack.hpp"
-#include "kernel/print.hpp"
 
 using namespace kernel;
 using namespace attacked;

@@ -4,7 +4,6 @@
 #include "attack.hpp"
 #include "kernel/names.hpp"
 #include "kernel/polynomial.hpp"
-#include "kernel/print.hpp"
 
 using namespace kernel;
 using namespace attacked;

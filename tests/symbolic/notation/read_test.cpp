@@ -3,12 +3,10 @@
 #include "notation/read.hpp"
 
 #include <functional>
-#include <map>
 #include <random>
 
 #include "catch.hpp"
 #include "kernel/names.hpp"
-#include "kernel/print.hpp"
 #include "kernel/theorem.hpp"
 #include "notation/alpha.hpp"
 #include "notation/typed.hpp"
