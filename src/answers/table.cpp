@@ -133,7 +133,6 @@ Row concatenated(std::initializer_list<Row> parts) {
 }
 
 Cell whole_cell(const std::string& digits) { return {digits, digits}; }
-Cell exact_cell(const std::string& value) { return text_cell(value); }
 Cell missing_cell() { return {"", "null"}; }
 
 Cell list_cell(const std::vector<std::string>& texts) {
@@ -244,8 +243,21 @@ std::string written(const Table& table, Format format) {
   return text + writer.end();
 }
 
-std::string markdown(const Table& table) {
-  std::string text = "| " + joined(table.columns, " | ") + " |\n|";
+Table selected(const Table& table, const Names& names) {
+  Table some{names, {}};
+  for (const Row& row : table.rows) {
+    some.rows.emplace_back();
+    for (const std::string& name : names)
+      some.rows.back().push_back(
+          row.at(std::size_t(std::ranges::find(table.columns, name) - table.columns.begin())));
+  }
+  return some;
+}
+
+std::string section(const std::string& heading, const Table& table, bool is_markdown) {
+  if (table.rows.empty()) return "";
+  if (!is_markdown) return "\n" + heading + "\n\n" + written(table, Format::text);
+  std::string text = "\n## " + heading + "\n\n| " + joined(table.columns, " | ") + " |\n|";
   for (std::size_t i = 0; i < table.columns.size(); ++i) text += "---|";
   for (const Row& row : table.rows) {
     text += "\n|";

@@ -22,7 +22,8 @@ struct Cell {
   std::string json;
 };
 
-/// Text in UTF-8: what others typed is shown_text() first.
+/// Text in UTF-8: what others typed is shown_text() first. Also "p/q", "p" and certified digits,
+/// since no number of JSON would hold them.
 Cell text_cell(std::string_view text);
 /// The shortest decimal that reads back as the same double; -0 is 0; null in JSON and nothing else
 /// where it is not finite.
@@ -30,8 +31,6 @@ Cell real_cell(double value);
 /// A whole number of any size from its decimal digits: a number in JSON, too.
 Cell whole_cell(const std::string& digits);
 Cell whole_cell(std::integral auto value) { return whole_cell(std::to_string(value)); }
-/// "p/q", "p" or certified digits: a string in JSON, since no number there would hold it.
-Cell exact_cell(const std::string& value);
 /// Several texts: "a; b" and ["a", "b"].
 Cell list_cell(const std::vector<std::string>& texts);
 /// Cells with names.
@@ -96,7 +95,9 @@ private:
 
 /// The whole table.
 std::string written(const Table& table, Format format);
-/// It as a table of Markdown.
-std::string markdown(const Table& table);
+/// The columns of these names.
+Table selected(const Table& table, const Names& names);
+/// A heading above the table, in text or Markdown; nothing where that has no rows.
+std::string section(const std::string& heading, const Table& table, bool is_markdown);
 
 }  // namespace answers

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/comparison.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 
-#include "answers/question.hpp"
+#include "answers/commands.hpp"
 
 namespace command {
 namespace {
 
-using answers::answer_to;
-
-Comparison paper_number(const std::string& line) {
-  std::istringstream fields(line);
-  Comparison row;
-  for (std::string* field : {&row.label, &row.number, &row.printed, &row.question, &row.column})
-    std::getline(fields, *field, ',');
-  if (!fields) throw std::runtime_error("six fields are allowed");
-  std::getline(fields, row.reason);
-  return row;
-}
+using namespace answers;
 
 std::size_t decimals(const std::string& number) {
   const std::size_t point = number.find('.');
@@ -37,55 +29,93 @@ std::string with_decimals(const std::string& number, std::size_t digits) {
 
 bool agree(const std::string& printed, const std::string& ours) {
   if (decimals(printed) != 0) return with_decimals(ours, decimals(printed)) == printed;
-  return answers::are_equal(printed, ours);
+  return are_equal(printed, ours);
 }
 
-/// Why a number of the paper differs; "" where the reason given is none or does not hold.
-std::string explanation(const Comparison& row) {
-  const auto with_three_decimals = [&] {
-    return answer_to(row.question + " --decimals 3").at(row.column);
-  };
-  if (row.reason == "cut off" &&
-      with_decimals(row.ours, decimals(row.printed) + 6).starts_with(row.printed))
-    return "The digits printed are cut off; those of the other rows are rounded.";
-  if (row.reason == "rounded extremum" && agree(row.printed, with_three_decimals()))
-    return "The paper's shift is that of the extremum rounded to three decimals.";
-  return "";
+Row compared(const std::string& line) {
+  std::istringstream fields(line);
+  std::string label, number, printed, question, column, reason;
+  for (std::string* field : {&label, &number, &printed, &question, &column})
+    std::getline(fields, *field, ',');
+  if (!fields) throw std::runtime_error("six fields are allowed");
+  std::getline(fields, reason);
+  const auto cells = answer_to(question);
+  if (!cells.contains(column)) throw std::runtime_error("no column " + column);
+  const std::string& ours = cells.at(column);
+  const auto other = cells.find(printed);  // b_t, which is c_t
+  const bool agrees = other != cells.end() ? other->second == ours : agree(printed, ours);
+  if (agrees && !reason.empty()) throw std::runtime_error("it agrees: no reason is needed");
+  std::string verdict = agrees ? "agrees" : "explained";
+  if (reason == "cut off" && with_decimals(ours, decimals(printed) + 6).starts_with(printed)) {
+    reason = "The digits printed are cut off; those of the other rows are rounded.";
+  } else if (reason == "rounded extremum" &&
+             agree(printed, answer_to(question + " --decimals 3").at(column))) {
+    reason = "The paper's shift is that of the extremum rounded to three decimals.";
+  } else if (!agrees) {
+    verdict = "differs";
+    reason = reason.empty() ? "Nobody knows why: one of the two is wrong."
+                            : "The reason given does not hold: " + reason + ".";
+  }
+  return {text_cell(label),   text_cell(number),
+          text_cell(printed), text_cell(ours),
+          text_cell(verdict), reason.empty() ? missing_cell() : text_cell(reason)};
 }
 
-Comparison compared(Comparison row) {
-  const auto cells = answer_to(row.question);
-  const auto ours = cells.find(row.column);
-  if (ours == cells.end()) throw std::runtime_error("no column " + row.column);
-  row.ours = ours->second;
-  const auto other = cells.find(row.printed);  // b_t, which is c_t
-  row.agrees = other != cells.end() ? other->second == row.ours : agree(row.printed, row.ours);
-  if (row.agrees && row.reason.empty()) return row;
-  const std::string why = explanation(row);
-  row.is_fine = !row.agrees && !why.empty();
-  row.reason = row.agrees           ? "It agrees: no reason is needed."
-               : row.reason.empty() ? "Nobody knows why: one of the two is wrong."
-               : row.is_fine        ? why
-                                    : "The reason given does not hold: " + row.reason + ".";
-  return row;
+/// What a label of the paper stands at.
+std::string kind_of(const std::string& label) {
+  return label[0] == 't' ? "Table " : label[0] == 'f' ? "Figure " : "Equation ";
+}
+
+/// A heading and a narrow table for each label, and under it why numbers differ.
+std::string sections_of(const Table& all, bool is_markdown) {
+  std::string text;
+  for (auto first = all.rows.begin(); first != all.rows.end();) {
+    const std::string label = first->front().text;
+    const auto last = std::find_if(first, all.rows.end(),
+                                   [&](const Row& row) { return row.front().text != label; });
+    const Table its{all.columns, {first, last}};
+    text += section(kind_of(label) + label, selected(its, {"number", "printed", "ours", "verdict"}),
+                    is_markdown);
+    std::set<std::string> said{""};
+    for (; first != last; ++first)
+      if (said.insert(first->back().text).second) text += "\n" + first->back().text + "\n";
+  }
+  return text;
 }
 
 }  // namespace
 
-std::vector<Comparison> comparisons(std::string_view paper_numbers) {
+Table comparisons(std::string_view paper_numbers) {
   std::istringstream lines{std::string(paper_numbers)};
-  std::vector<Comparison> all;
+  Table all{{"label", "number", "printed", "ours", "verdict", "reason"}, {}};
   bool is_header = true;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line.front() == '#') continue;
     try {
-      if (!is_header) all.push_back(compared(paper_number(line)));
+      if (!is_header) all.rows.push_back(compared(line));
     } catch (const std::exception& error) {
       throw std::runtime_error("paper_numbers.csv: " + line + ": " + error.what());
     }
     is_header = false;
   }
   return all;
+}
+
+Answer page_of(const Table& comparisons, const std::string& format) {
+  const auto count = [&](const std::string& verdict) {
+    return std::ranges::count(comparisons.rows, verdict,
+                              [](const Row& row) { return row[4].text; });
+  };
+  Answer answer{comparisons, ""};
+  answer.check_failed = count("differs") > 0;
+  if (format == "text" || format == "markdown")
+    answer.document = std::to_string(comparisons.rows.size()) +
+                      " numbers of the paper: " + std::to_string(count("agrees")) + " agree, " +
+                      std::to_string(count("explained")) + " differ for the reason given, " +
+                      std::to_string(count("differs")) +
+                      " without one\nHeadings are labels of its LaTeX source.\n" +
+                      sections_of(comparisons, format == "markdown");
+  return answer;
 }
 
 }  // namespace command

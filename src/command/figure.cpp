@@ -4,9 +4,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "answers/commands.hpp"
 #include "answers/errors.hpp"
-#include "answers/figures.hpp"
-#include "answers/velocities.hpp"
 #include "command/comparison.hpp"
 #include "command/files.hpp"
 #include "host/child.hpp"
@@ -33,22 +32,8 @@ std::string told(const std::string& script, const std::string& key) {
 }
 
 std::string filled(const std::string& script, const std::string& data, const std::string& format) {
-  int width = 600, height = 440;  // in the units of SVG
-  std::istringstream(told(script, "size")) >> width >> height;
-  const auto size = [&](double scale, const std::string& unit) {
-    std::ostringstream text;
-    text << " size " << scale * width << unit << "," << scale * height << unit << " ";
-    return text.str();
-  };
-  const std::string terminal =
-      format == "png"
-          ? "pngcairo" + size(2, "") + "font 'sans,17' fontscale 1.5 linewidth 2 pointscale 2"
-      : format == "pdf"
-          ? "pdfcairo" + size(0.01, "in") + "font 'sans,12' fontscale 0.9 linewidth 1.5"
-          : "svg" + size(1, "") + "font 'sans,17' background 'white'";
-  return "set encoding utf8\nset terminal " + terminal +
-         "\nset datafile separator ','\nset datafile columnheaders\n$data << END\n" + data +
-         "END\n" + script;
+  return "format = '" + format + "'\nsize = '" + told(script, "size") + "'\n" +
+         host::embedded("terminal.gp") + "$data << END\n" + data + "END\n" + script;
 }
 /// What gnuplot prints for a script; script and picture are passed in memory.
 std::string drawn(const std::string& script) {
@@ -112,9 +97,9 @@ std::vector<Figure> all_figures() {
 }
 
 /// The figures of the paper and of errors in four formats, and the tables.
-generate::Texts files_of(const std::vector<Comparison>& all) {
+generate::Texts files_of(const Table& all) {
   generate::Texts files{{"reproduce.md", page_of(all, "markdown").document},
-                        {"reproduce.csv", written(page_of(all, "csv").table, Format::csv)},
+                        {"reproduce.csv", written(all, Format::csv)},
                         {"ratios.csv", written(ratios({}).table, Format::csv)}};
   for (const Figure& figure : all_figures()) {
     if (figure.name == "speed") continue;  // it is measured
@@ -148,7 +133,7 @@ Answer figure(const Request& request) {
 }
 
 Answer reproduce(const Request& request) {
-  const std::vector<Comparison> all = comparisons(host::embedded("paper_numbers.csv"));
+  const Table all = comparisons(host::embedded("paper_numbers.csv"));
   if (request.has("out"))
     write_folder("reproduce: --out", request.text("out"), [&] { return files_of(all); });
   return page_of(all, request.format);

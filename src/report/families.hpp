@@ -4,13 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace report {
 
-class PortableRandom;
+using Random = std::mt19937_64;
 
 enum class Quantity {
   velocities,  ///< a, b, c, c' at alpha and n
@@ -38,9 +39,9 @@ struct Family {
   std::string name;
   std::string description;
   std::uint64_t seed;
-  double (*alpha)(PortableRandom&);
+  double (*alpha)(Random&);
   /// Some n for a motion whose last is N_A.
-  std::int64_t (*n)(PortableRandom&, std::int64_t last);
+  std::int64_t (*n)(Random&, std::int64_t last);
 };
 /// Hardest first.
 const std::vector<Family>& families();

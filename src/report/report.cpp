@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <optional>
+#include <iterator>
 
 #include "answers/errors.hpp"
 
@@ -27,38 +27,36 @@ Cell hex_cell(double value) {
   return value == 0 ? missing_cell() : text_cell(printed("%a", value));
 }
 
-Row row_of(const Measurement& one) {
+Fields fields_of(const Measurement& one) {
   const Errors& errors = one.errors;
   const bool has_index = one.quantity != Quantity::terminal && one.quantity != Quantity::counts;
   const bool has_worst = errors.max_ulp > 0 || errors.wrong > 0;
-  return {text_cell(one.evaluator),
-          text_cell(name_of(one.quantity)),
-          one.family.empty() ? missing_cell() : text_cell(one.family),
-          whole_cell(errors.samples),
-          short_cell(errors.max_ulp),
-          hex_cell(errors.worst.alpha),
-          has_worst && has_index ? whole_cell(errors.worst.index) : missing_cell(),
-          short_cell(errors.over_envelope),
-          whole_cell(errors.misrounded),
-          whole_cell(errors.wrong),
-          short_cell(one.times.ns),
-          short_cell(one.times.ratio),
-          short_cell(one.times.ratio_low),
-          short_cell(one.times.ratio_high)};
+  return {{"evaluator", text_cell(one.evaluator)},
+          {"quantity", text_cell(name_of(one.quantity))},
+          {"family", one.family.empty() ? missing_cell() : text_cell(one.family)},
+          {"samples", whole_cell(errors.samples)},
+          {"max_ulp", short_cell(errors.max_ulp)},
+          {"worst_alpha", hex_cell(errors.worst.alpha)},
+          {"worst_index", has_worst && has_index ? whole_cell(errors.worst.index) : missing_cell()},
+          {"over_envelope", short_cell(errors.over_envelope)},
+          {"misrounded", whole_cell(errors.misrounded)},
+          {"wrong", whole_cell(errors.wrong)},
+          {"ns", short_cell(one.times.ns)},
+          {"ratio", short_cell(one.times.ratio)},
+          {"ratio_low", short_cell(one.times.ratio_low)},
+          {"ratio_high", short_cell(one.times.ratio_high)}};
 }
 
-/// Its worst family, sums over all, and its times on everyday inputs; nothing where there are none.
-std::optional<Measurement> over_families(const std::vector<Measurement>& measurements,
-                                         const Implementation& implementation) {
-  std::optional<Measurement> all;
-  for (const Measurement& one : measurements) {
-    if (one.evaluator != implementation.name || one.quantity != implementation.quantity) continue;
-    if (!all) all = {one.evaluator, one.quantity, "", {}, {}};
-    if (one.errors.max_ulp > all->errors.max_ulp) all->family = one.family;
-    all->errors.max_ulp = std::max(all->errors.max_ulp, one.errors.max_ulp);
-    all->errors.misrounded += one.errors.misrounded;
-    all->errors.wrong += one.errors.wrong;
-    if (one.family == "everyday") all->times = one.times;
+/// The measurements of one implementation: their worst family, sums over all, and the times on
+/// everyday inputs.
+Measurement over_families(const std::vector<Measurement>& its) {
+  Measurement all{its[0].evaluator, its[0].quantity, "", {}, {}};
+  for (const Measurement& one : its) {
+    if (one.errors.max_ulp > all.errors.max_ulp) all.family = one.family;
+    all.errors.max_ulp = std::max(all.errors.max_ulp, one.errors.max_ulp);
+    all.errors.misrounded += one.errors.misrounded;
+    all.errors.wrong += one.errors.wrong;
+    if (one.family == "everyday") all.times = one.times;
   }
   return all;
 }
@@ -67,31 +65,23 @@ std::optional<Measurement> over_families(const std::vector<Measurement>& measure
 
 Plan quick_plan() { return {.draws = 60, .rounds = {.shortest_ns = 1e5}}; }
 
-Table table_of(const std::vector<Measurement>& measurements,
-               const std::vector<std::string>& names) {
+Table table_of(const std::vector<Measurement>& measurements) {
   Table table;
-  const Names all{"evaluator",   "quantity",    "family",        "samples",    "max_ulp",
-                  "worst_alpha", "worst_index", "over_envelope", "misrounded", "wrong",
-                  "ns",          "ratio",       "ratio_low",     "ratio_high"};
-  std::vector<std::size_t> places;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!names.empty() && std::count(names.begin(), names.end(), all[i]) == 0) continue;
-    places.push_back(i);
-    table.columns.push_back(all[i]);
-  }
   for (const Measurement& one : measurements) {
-    const Row row = row_of(one);
-    table.rows.emplace_back();
-    for (const std::size_t place : places) table.rows.back().push_back(row[place]);
+    const Table alone = one_row(fields_of(one));
+    table.columns = alone.columns;
+    table.rows.push_back(alone.rows[0]);
   }
   return table;
 }
 
 std::string document_of(const std::vector<Measurement>& measurements, bool is_markdown) {
-  const auto section = [&](const std::string& heading, const Table& table) {
-    return table.rows.empty() ? std::string()
-           : is_markdown      ? "\n## " + heading + "\n\n" + markdown(table)
-                              : "\n" + heading + "\n\n" + written(table, Format::text);
+  const auto those = [&](Quantity quantity, std::string Measurement::*of, const std::string& name) {
+    std::vector<Measurement> some;
+    std::ranges::copy_if(measurements, std::back_inserter(some), [&](const Measurement& one) {
+      return one.quantity == quantity && one.*of == name;
+    });
+    return some;
   };
   std::string summary =
       "Errors are in ulp; ratio is the time over naive's on the same inputs. First what\n"
@@ -99,18 +89,18 @@ std::string document_of(const std::vector<Measurement>& measurements, bool is_ma
   std::string blocks;
   for (const auto& [quantity, name] : quantities) {
     std::vector<Measurement> sums;
-    for (const Implementation& one : implementations())
-      if (const auto all = over_families(measurements, one); all && one.quantity == quantity)
-        sums.push_back(*all);
-    summary += section(
-        name, table_of(sums, {"evaluator", "family", "max_ulp", "misrounded", "wrong", "ratio"}));
+    for (const Implementation& one : implementations()) {
+      const auto its = those(quantity, &Measurement::evaluator, one.name);
+      if (one.quantity == quantity && !its.empty()) sums.push_back(over_families(its));
+    }
+    const Names of_sums{"evaluator", "family", "max_ulp", "misrounded", "wrong", "ratio"};
+    summary += section(name, selected(table_of(sums), of_sums), is_markdown);
     for (const Family& family : families()) {
-      std::vector<Measurement> its;
-      for (const Measurement& one : measurements)
-        if (one.quantity == quantity && one.family == family.name) its.push_back(one);
+      const Table its = table_of(those(quantity, &Measurement::family, family.name));
+      const Names columns{"evaluator", "max_ulp", "over_envelope", "misrounded",
+                          "wrong",     "ns",      "ratio"};
       blocks += section(name + ", " + family.name + ": " + family.description,
-                        table_of(its, {"evaluator", "max_ulp", "over_envelope", "misrounded",
-                                       "wrong", "ns", "ratio"}));
+                        selected(its, columns), is_markdown);
     }
   }
   return summary + blocks;
@@ -129,7 +119,7 @@ Answer report(const Request& request) {
                        "; allowed: " + joined(names));
   }
   const std::vector<Measurement> measurements = measure(plan);
-  if (request.format == "json" || request.format == "csv") return {table_of(measurements, {}), ""};
+  if (request.format == "json" || request.format == "csv") return {table_of(measurements)};
   return {{}, document_of(measurements, request.format == "markdown")};
 }
 

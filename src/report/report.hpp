@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "answers/figures.hpp"
+#include "answers/commands.hpp"
 #include "answers/request.hpp"
 #include "report/measure.hpp"
 
@@ -14,9 +14,7 @@ namespace report {
 /// What --quick asks for: fewer inputs and shorter measurements.
 Plan quick_plan();
 
-/// The columns of these names, all where there are none.
-answers::Table table_of(const std::vector<Measurement>& measurements,
-                        const std::vector<std::string>& names);
+answers::Table table_of(const std::vector<Measurement>& measurements);
 /// Headings and narrow tables: the worst family of each evaluator, then each family. Fits 80
 /// columns, or is Markdown.
 std::string document_of(const std::vector<Measurement>& measurements, bool is_markdown);

@@ -2,11 +2,14 @@
 // A program on the frame of magicmass whose commands do what may go wrong.
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <thread>
 
 #include "answers/errors.hpp"
 #include "command/command.hpp"
+#include "command/comparison.hpp"
 #include "host/child.hpp"
 
 namespace {
@@ -76,6 +79,12 @@ command::Command plain(const std::string& name, Answer (*run)(const Request&)) {
           .formats = {"text"},
           .run = run};
 }
+/// Numbers of a paper, which may be spoiled.
+Answer compare(const Request& request) {
+  std::ifstream file(request.words.at(0));
+  const std::string numbers(std::istreambuf_iterator<char>(file), {});
+  return command::page_of(command::comparisons(numbers), "text");
+}
 Answer words(const Request& request) { return document(answers::joined(request.words) + "\n"); }
 
 }  // namespace
@@ -97,11 +106,13 @@ int main(int argc, char** argv) {
   command::Command words_row = plain("words", words);
   words_row.summary = "Says its words";
   words_row.words = "WORD...";
+  command::Command compare_row = plain("compare", compare);
+  compare_row.words = "FILE";
   const command::Program program = {
       "rehearse",
       "A program for tests",
       "1.2.3",
-      {echo_row, many_row, words_row, plain("check", false_check), plain("wait", wait),
+      {echo_row, many_row, words_row, compare_row, plain("check", false_check), plain("wait", wait),
        plain("other", other), plain("fill", fill), plain("deep", deep), plain("crash", crash),
        plain("bug", bug)}};
   return command::run_program(program, {argv + 1, argv + argc});

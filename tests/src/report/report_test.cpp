@@ -1,16 +1,117 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Times beside naive, and the report as an answer.
+// The report finds what is wrong, where it is wrong, and nothing else.
 #include "report/report.hpp"
 
+#include <bit>
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <map>
 #include <set>
 
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
+#include "magicmass/numbers/accurate.hpp"
+
+namespace {
 
 using namespace report;
+
+Plan errors_alone() {
+  Plan plan;
+  plan.draws = 40;
+  plan.rounds.count = 0;
+  return plan;
+}
+const std::vector<Measurement>& all() {
+  static const std::vector<Measurement> measurements = measure(errors_alone());
+  return measurements;
+}
+const Errors& errors_of(const std::string& evaluator, Quantity quantity,
+                        const std::string& family) {
+  for (const Measurement& one : all())
+    if (one.evaluator == evaluator && one.quantity == quantity && one.family == family)
+      return one.errors;
+  throw std::out_of_range(evaluator + ", " + family);
+}
+
+}  // namespace
+
+TEST_CASE("Naive is known to be bad near thresholds, and found to be", "[check]") {
+  for (const std::string family : {"closest thresholds", "magic neighbours"}) {
+    INFO(family);
+    CHECK(errors_of("naive", Quantity::counts, family).wrong > 0);
+    CHECK(errors_of("naive", Quantity::terminal, family).max_ulp > 1e6);
+    CHECK(errors_of("naive", Quantity::velocities, family).over_envelope > 1e3);
+  }
+}
+
+TEST_CASE("Tiers keep their promises", "[check]") {
+  for (const Measurement& one : all()) {
+    INFO(one.evaluator << ", " << name_of(one.quantity) << ", " << one.family);
+    const std::string& name = one.evaluator;
+    const bool is_accurate = name.starts_with("accurate") || name == "exact rational";
+    if (is_accurate) CHECK(one.errors.misrounded == 0);
+    if (is_accurate) CHECK(one.errors.max_ulp <= 0.5);
+    if (name.starts_with("fast")) CHECK(one.errors.over_envelope <= 4);
+    if (is_accurate || name.starts_with("count")) CHECK(one.errors.wrong == 0);
+  }
+}
+
+TEST_CASE("Arrays have the errors of single calls", "[check]") {
+  for (const Family& family : families())
+    for (const std::string tier : {"fast", "accurate"})
+      CHECK(errors_of(tier, Quantity::velocities, family.name) ==
+            errors_of(tier + " arrays", Quantity::velocities, family.name));
+}
+
+TEST_CASE("Three ulp planted in one family are found there alone", "[check]") {
+  Plan plan = errors_alone();
+  const auto planted = [](Columns& columns) {
+    auto& [a, b, c, c_prime] = columns.values;
+    magicmass::accurate::velocities(columns.alpha, columns.index, {a, b, c, c_prime});
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (columns.alpha[i] < std::numeric_limits<double>::min())
+        b[i] = std::bit_cast<double>(std::bit_cast<std::int64_t>(b[i]) + 3);
+  };
+  plan.implementations = {{"planted", Quantity::velocities, planted}};
+  for (const Measurement& one : measure(plan)) {
+    INFO(one.family);
+    const bool is_there = one.family == "subnormal";
+    CHECK((one.errors.max_ulp > 2.4) == is_there);
+    CHECK((one.errors.misrounded > 0) == is_there);
+    if (is_there) CHECK(one.errors.max_ulp <= 3.5);
+    if (is_there) CHECK(one.errors.worst.alpha < std::numeric_limits<double>::min());
+  }
+}
+
+TEST_CASE("A zero, a sign, a NaN and a count", "[exam]") {
+  const Input one{1, 1};
+  const Truth exact = truth(Quantity::velocities, one);  // 0, 1, 1, 0
+  const auto seen = [&](double a, double b) {
+    Columns columns({&one, 1});
+    columns.values = {{{a}, {b}, {1}, {0}}};
+    const Truth* const truths[] = {&exact};
+    return report::errors_of(columns, truths);
+  };
+  const Errors right{1, 0, {}, 0, 0, 0};
+  CHECK(seen(0, 1) == right);
+  CHECK(seen(-0.0, 1) == right);
+  CHECK(seen(1e-300, 1) == Errors{1, 0, one, 0, 1, 1});
+  const Errors turned = seen(0, -1);
+  CHECK((turned.wrong == 1 && turned.max_ulp == 0x1p53));
+  const Errors lost = seen(0, std::nan(""));
+  CHECK((lost.wrong == 1 && std::isinf(lost.max_ulp) && lost.misrounded == 1));
+  CHECK(seen(std::nan(""), 1).wrong == 1);
+  const Truth counted = truth(Quantity::counts, one);
+  CHECK(counted.counts == magicmass::Counts{1, 1});
+  Columns columns({&one, 1});
+  columns.counts = {{{4}, {1}}};
+  const Truth* const truths[] = {&counted};
+  const Errors off = report::errors_of(columns, truths);
+  CHECK((off.wrong == 1 && off.max_ulp == 3 && off.worst == one));
+}
 
 TEST_CASE("Every pair is called in every round, naive as often as ours", "[check]") {
   std::map<std::string, int> calls;
