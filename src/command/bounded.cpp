@@ -34,43 +34,25 @@ void write_to_terminal(std::string_view text) {
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
-bool has_terminal() {
-  const char* terminal = std::getenv("TERM");
-  return ::isatty(STDERR_FILENO) != 0 && terminal != nullptr &&
-         std::string_view(terminal) != "dumb";
-}
-
 /// A line on the terminal that comes after a second and goes without a trace.
-class Progress {
-public:
-  Progress(std::string name, const Limits& limits)
-      : name_(std::move(name)), limit_(limits.seconds), may_show_(has_terminal()) {}
-  ~Progress() { hide(); }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
+struct Progress {
+  std::string name;
+  std::string limit;
+  bool may_show;
+  std::int64_t shown = 0;  // seconds
+  std::uint64_t rows = 0;  // that are done
 
   void show(Clock::duration so_far) {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(so_far).count();
-    if (may_show_ && seconds > shown_) {
-      shown_ = seconds;
-      const std::string limit =
-          limit_ == no_limit ? "" : " of at most " + std::to_string(limit_) + " s";
-      write_to_terminal("\r" + name_ + ": " + std::to_string(seconds) + " s" + limit + "\033[K");
-    }
+    if (!may_show || seconds <= shown) return;
+    shown = seconds;
+    write_to_terminal("\r" + name + ": " + std::to_string(seconds) + " s" + limit + "\033[K");
   }
-  std::uint64_t rows = 0;  ///< that are done
-
   void hide() {
-    if (shown_ > 0) write_to_terminal("\r\033[K");
-    shown_ = 0;
-    may_show_ = false;
+    if (shown > 0) write_to_terminal("\r\033[K");
+    shown = 0;
+    may_show = false;
   }
-
-private:
-  std::string name_;
-  std::int64_t limit_;
-  std::int64_t shown_ = 0;
-  bool may_show_;
 };
 
 [[noreturn]] void run_child(const Limits& limits, int to_parent,
@@ -137,7 +119,10 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
     run_child(limits, pipe[1], action);
   }
   ::close(pipe[1]);
-  Progress progress(name, limits);
+  const std::string limit =
+      limits.seconds == no_limit ? "" : " of at most " + std::to_string(limits.seconds) + " s";
+  const std::string_view terminal = std::getenv("TERM") ? std::getenv("TERM") : "dumb";
+  Progress progress{name, limit, ::isatty(STDERR_FILENO) != 0 && terminal != "dumb"};
   const bool is_done = wait_for(pipe[0], limits, progress);
   if (!is_done) {
     ::kill(child, SIGKILL);

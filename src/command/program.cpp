@@ -19,21 +19,22 @@ namespace {
 
 using answers::InvalidInput;
 
-/// A message for whatever the action throws.
-ExitCode guarded(const std::string& name, const std::function<ExitCode()>& action) {
+/// A message for whatever the action throws, after the place where it was.
+ExitCode guarded(const std::string& name, const std::string& place,
+                 const std::function<ExitCode()>& action) {
   try {
     return action();
   } catch (const ClosedPipe&) {
     return ExitCode::done;
   } catch (const InvalidInput& error) {
-    return say(error.what(), ExitCode::bad_input);
+    return say(place + error.what(), ExitCode::bad_input);
   } catch (const std::bad_alloc&) {
     return say(name + ": does not fit into memory; a larger --memory-limit may do",
                ExitCode::undecided);
   } catch (const std::logic_error& error) {
     return say(name + ": a bug: " + error.what(), ExitCode::undecided);
   } catch (const std::exception& error) {
-    return say(error.what(), ExitCode::undecided);
+    return say(place + error.what(), ExitCode::undecided);
   }
 }
 
@@ -45,21 +46,9 @@ void open_standard_streams() {
       ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/// A row of the input by itself.
-std::vector<answers::Row> answer_alone(const Command& command, const answers::Request& request,
-                                       const std::string& place) {
-  try {
-    return command.run(request).table.rows;
-  } catch (const InvalidInput& error) {
-    throw InvalidInput(place + error.what());
-  } catch (const answers::Undecided& error) {
-    throw answers::Undecided(place + error.what());
-  }
-}
-
 /// Of rows of the input with these columns, written a block at a time.
 void write_answers(const Asked& asked, const answers::Names& columns, CsvReader& reader,
-                   answers::Rows rows, Destination& output, const Tell& tell) {
+                   answers::Rows rows, Destination& output, const Tell& tell, std::string& place) {
   constexpr std::size_t rows_at_once = 4096;
   constexpr std::size_t most_bytes = std::size_t{1} << 20U;
   const Command& command = *asked.command;
@@ -85,10 +74,12 @@ void write_answers(const Asked& asked, const answers::Names& columns, CsvReader&
         writer.append(text, block, row);
         continue;
       }
-      for (auto& cells : answer_alone(command, rows.request(row), reader.place(size - 1 - row))) {
+      place = reader.place(size - 1 - row);
+      for (auto& cells : command.run(rows.request(row)).table.rows) {
         for (const answers::Cell& cell : cells) bytes += cell.text.size() + cell.json.size();
         alone.push_back(std::move(cells));
       }
+      place.clear();
       if (bytes > most_bytes) write();
       tell(done + row + 1);
     }
@@ -100,7 +91,7 @@ void write_answers(const Asked& asked, const answers::Names& columns, CsvReader&
 }
 
 /// Each row of the input is a request.
-void answer_rows(const Asked& asked, Destination& output, const Tell& tell) {
+void answer_rows(const Asked& asked, Destination& output, const Tell& tell, std::string& place) {
   std::vector<std::string> may_be_columns, others;
   for (const Option& option : asked.command->options)
     (option.is_column ? may_be_columns : others).push_back(option.name);
@@ -113,15 +104,15 @@ void answer_rows(const Asked& asked, Destination& output, const Tell& tell) {
   for (const Option& option : asked.command->options)
     if (option.is_required && !any_row.has(option.name))
       throw InvalidInput(reader.place() + "no column " + option.name);
-  write_answers(asked, asked.command->columns(any_row), reader, rows, output, tell);
+  write_answers(asked, asked.command->columns(any_row), reader, rows, output, tell, place);
 }
 
-ExitCode answer(const Asked& asked, const Tell& tell) {
+ExitCode answer(const Asked& asked, const Tell& tell, std::string& place) {
   const bool is_folder = asked.request.format == asked.command->folder_format;
   Destination output(is_folder ? "" : asked.request.text("output"), [&] { tell(0); });
   ExitCode code = ExitCode::done;
   if (asked.request.has("input")) {
-    answer_rows(asked, output, tell);
+    answer_rows(asked, output, tell, place);
   } else {
     const answers::Answer given = asked.command->run(asked.request);
     if (given.stream)
@@ -153,7 +144,8 @@ ExitCode run(const Program& program, const std::vector<std::string>& words) {
   const Asked& asked = std::get<Asked>(parsed);
   const std::string& name = asked.command->name;
   return run_bounded(name, asked.limits, [&](const Tell& tell) {
-    return guarded(name, [&] { return answer(asked, tell); });
+    std::string place;  // of the row of input
+    return guarded(name, place, [&] { return answer(asked, tell, place); });
   });
 }
 
@@ -163,7 +155,7 @@ int run_program(const Program& program, const std::vector<std::string>& words) {
   open_standard_streams();
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large for its limit is refused as on a full disk
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has seen enough is no error: see ClosedPipe
-  return static_cast<int>(guarded(program.name, [&] { return run(program, words); }));
+  return static_cast<int>(guarded(program.name, "", [&] { return run(program, words); }));
 }
 
 }  // namespace command

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
@@ -31,11 +32,8 @@ std::string_view trimmed(std::string_view text) {
 CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wanted,
                      const std::vector<std::string>& refused)
     : source_(path == "-" ? "stdin" : shown_text(path, 200)),
-      file_(path == "-" ? stdin : std::fopen(path.c_str(), "rb")) {
-  if (!file_) {
-    throw answers::InvalidInput("cannot read " + source_ + ": " +
-                                std::generic_category().message(errno));
-  }
+      file_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (file_ < 0) cannot_read();
   const std::string allowed = answers::joined(wanted);
   next_line();
   if (line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
@@ -57,6 +55,11 @@ CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wa
   }
 }
 
+void CsvReader::cannot_read() const {
+  throw answers::InvalidInput("cannot read " + source_ + ": " +
+                              std::generic_category().message(errno));
+}
+
 void CsvReader::refuse(const std::string& what) const {
   throw answers::InvalidInput(place() + what);
 }
@@ -73,16 +76,11 @@ bool CsvReader::next_line() {
     buffer_.erase(0, std::exchange(at_, 0));
     const std::size_t had = buffer_.size();
     buffer_.resize(had + piece);
-    ssize_t size = -1;
-    do {
-      size = ::read(::fileno(file_.get()), buffer_.data() + had, piece);
-    } while (size < 0 && errno == EINTR);
-    if (size < 0) {
-      throw answers::InvalidInput("cannot read " + source_ + ": " +
-                                  std::generic_category().message(errno));
-    }
-    buffer_.resize(had + static_cast<std::size_t>(size));
-    if (buffer_.size() == had) break;
+    const ssize_t size = ::read(file_, buffer_.data() + had, piece);
+    buffer_.resize(had + static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) cannot_read();
+    if (size == 0) break;
     end = buffer_.find('\n', had);
   }
   line_ = std::string_view(buffer_).substr(at_, end - at_);
@@ -149,7 +147,7 @@ bool CsvReader::next(std::vector<std::string>& row) {
 
 bool CsvReader::waits() const {
   if (buffer_.find('\n', at_) != std::string::npos) return false;
-  pollfd input{::fileno(file_.get()), POLLIN, 0};
+  pollfd input{file_, POLLIN, 0};
   return ::poll(&input, 1, 0) == 0;
 }
 

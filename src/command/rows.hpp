@@ -3,8 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,13 +30,8 @@ public:
   std::string place(std::size_t before = 0) const;
 
 private:
-  struct Close {
-    void operator()(std::FILE* file) const {
-      if (file != stdin) std::fclose(file);
-    }
-  };
   std::string source_;
-  std::unique_ptr<std::FILE, Close> file_;
+  int file_;                 // open till the program ends
   std::int64_t number_ = 0;  // of the line
   std::string buffer_;       // what was read
   std::size_t at_ = 0;       // where it goes on
@@ -51,6 +44,7 @@ private:
   bool next_line();  // into line_
   bool next(std::vector<std::string>& row);
   void split_line();  // into fields_
+  [[noreturn]] void cannot_read() const;
   [[noreturn]] void refuse(const std::string& what) const;
 };
 
