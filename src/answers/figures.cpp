@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "answers/figures.hpp"
+#include <algorithm>
+#include <cmath>
 
+#include "answers/commands.hpp"
 #include "answers/motion.hpp"
-#include "kernel/expr.hpp"
+#include "kernel/print.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace answers {

@@ -2,11 +2,14 @@
 #include "answers/meanings.hpp"
 
 #include "derivation/book.hpp"
+#include "kernel/print.hpp"
+#include "notation/typed.hpp"
 
 namespace answers {
 namespace {
 
 using kernel::Expr;
+using kernel::Op;
 
 /// What people type, the book's name for it, and the theorem f(params) = term.
 struct Definition {
@@ -25,6 +28,17 @@ constexpr Definition definitions[]{{"psi", "psi", "rotation.psi"},
                                    {"c_n", "c", "power.c"},
                                    {"c_prime_n", "c'", "power.c_prime"}};
 
+// A term of the book in the symbols that people type, which some functions of alpha and V are, too.
+Expr typed(Expr e) {
+  static const std::set<std::string> names{"N_A", "N_B", "a_t", "b_t"};
+  if (e.op() == Op::Var || (e.op() == Op::Fun && names.contains(e.name())))
+    return notation::symbol(e.name());
+  if (e.size() == 0) return e;
+  kernel::Exprs args;
+  for (Expr arg : e.args()) args.push_back(typed(arg));
+  return kernel::with_args(e, args);
+}
+
 }  // namespace
 
 Expr definition_of(const std::string& name) {
@@ -38,7 +52,7 @@ Expr definition_of(const std::string& name) {
 }
 Expr written_out(Expr e) {
   if (e.size() == 0) return e;
-  if (e.op() == kernel::Op::Fun)
+  if (e.op() == Op::Fun)
     for (const Definition& d : definitions) {
       if (e.name() != d.function) continue;
       const Expr equation = derivation::shown(d.id).conclusion();
@@ -52,5 +66,31 @@ Expr written_out(Expr e) {
   return kernel::with_args(e, args);
 }
 Expr right_side(const std::string& id) { return derivation::shown(id).conclusion().arg(1); }
+
+Expr with_meanings(Expr e, std::vector<std::string>& notes) {
+  kernel::Substitution meanings;
+  for (const std::string& name : notation::symbols_of(e)) {
+    const Expr equation = definition_of(name);
+    if (!equation || name == "rho") continue;
+    meanings.emplace(notation::symbol(name), typed(written_out(equation.arg(1))));
+    notes.push_back(name + " = " + kernel::text(equation.arg(1)));
+  }
+  return kernel::substitute(e, meanings);
+}
+
+Expr stated_value(const std::string& step) {
+  const std::size_t colon = step.find(": ");
+  const std::string left = colon == step.npos ? "" : step.substr(colon + 2);
+  kernel::Exprs open{derivation::shown(step.substr(0, colon)).conclusion()};
+  while (!open.empty()) {
+    const Expr e = open.back();
+    open.pop_back();
+    if (e.op() == Op::Imp) open.push_back(e.arg(1));
+    for (std::size_t i = e.op() == Op::And ? e.size() : 0; i > 0; --i) open.push_back(e.arg(i - 1));
+    if (e.op() == Op::Eq && (left.empty() || kernel::text(e.arg(0)) == left))
+      return typed(written_out(e.arg(1)));
+  }
+  kernel::refuse(step + ": this step states no such equation");
+}
 
 }  // namespace answers

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "kernel/expr.hpp"
 
@@ -15,5 +16,14 @@ kernel::Expr written_out(kernel::Expr term);
 kernel::Expr definition_of(const std::string& name);
 /// The right side of the equation that a theorem of the book is.
 kernel::Expr right_side(const std::string& id);
+
+/// What the paper's names stand for, from the book: psi, theta, V_CM, alpha_k, beta_k, a_n, b_n,
+/// c_n, c'_n. A line for each in `notes`: "psi = 2*atan(sqrt(alpha*(2 + alpha)))".
+kernel::Expr with_meanings(kernel::Expr typed, std::vector<std::string>& notes);
+
+/// The right side of an equation that a step states, in the symbols that people type; of several
+/// the one with this left side: "power.a", "deficient.terminal: b_(N_B)". Refused where there is
+/// none.
+kernel::Expr stated_value(const std::string& step);
 
 }  // namespace answers

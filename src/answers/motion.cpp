@@ -101,6 +101,15 @@ Cell rho(const Alpha& alpha, const cl_RA& e) {
   return N ? rounded([&] { return Balls{terminal(trio, *N)[3]}; })[0] : missing_cell();
 }
 
+std::optional<int> digits_wanted(const Request& request) {
+  constexpr std::int64_t most_digits = 10000;
+  const auto digits = request.whole("digits", 1, INT64_MAX);
+  if (digits.value_or(0) > most_digits)
+    throw Undecided("digits: " + std::to_string(*digits) +
+                    " are more than are given at once; at most " + std::to_string(most_digits));
+  return digits ? std::optional(static_cast<int>(*digits)) : std::nullopt;
+}
+
 Row rounded(const std::function<Balls()>& values, std::optional<int> digits) {
   const auto cells = [&]() -> std::optional<Row> {
     Row row;
@@ -108,7 +117,7 @@ Row rounded(const std::function<Balls()>& values, std::optional<int> digits) {
       const auto text = digits ? decimal(ball.low(), ball.high(), *digits) : std::nullopt;
       const auto number = digits ? std::nullopt : nearest_double(ball.low(), ball.high());
       if (!text && !number) return {};
-      row.push_back(text ? exact_cell(*text) : real_cell(*number));
+      row.push_back(text ? text_cell(*text) : real_cell(*number));
     }
     return row;
   };

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "answers/question.hpp"
-
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
+#include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "answers/motion.hpp"
-#include "answers/velocities.hpp"
 
 namespace answers {
 namespace {

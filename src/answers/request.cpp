@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Numbers are read the same way whatever the locale.
+// Nothing here depends on the locale.
 #include "answers/request.hpp"
 
 #include <charconv>
@@ -26,6 +26,33 @@ std::optional<std::int64_t> Request::whole(const std::string& option, std::int64
   if (value && *value >= least && *value <= most) return value;
   throw InvalidInput(option + " must be a whole number from " + std::to_string(least) + " to " +
                      std::to_string(most) + ", got " + shown_text(text(option)));
+}
+
+Request Rows::request(std::size_t row) const {
+  Request all = shared;
+  for (std::size_t i = 0; i < columns.size(); ++i) all.options[columns[i]] = fields[row][i];
+  return all;
+}
+
+std::string shown_text(std::string_view text, std::size_t longest) {
+  constexpr std::string_view hex = "0123456789abcdef";
+  if (text.empty()) return "(nothing)";
+  std::string shown;
+  for (const char character : text.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(character);
+    if (byte >= 0x20 && byte < 0x7f)
+      shown += character;
+    else
+      shown += {'\\', 'x', hex[byte / 16U], hex[byte % 16U]};
+  }
+  return text.size() > longest ? shown + "..." : shown;
+}
+
+std::string joined(const std::vector<std::string>& texts, std::string_view between) {
+  std::string text;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    text.append(i == 0 ? "" : between).append(texts[i]);
+  return text;
 }
 
 }  // namespace answers

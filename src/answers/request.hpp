@@ -31,6 +31,15 @@ struct Request {
                                     std::int64_t most) const;
 };
 
+/// Requests that differ in some options: fields[row] has theirs, in the order of `columns`.
+struct Rows {
+  Request shared;
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> fields = {};
+
+  Request request(std::size_t row) const;
+};
+
 /// A table, or a document that is printed as it is (a derivation, a figure).
 struct Answer {
   Table table;

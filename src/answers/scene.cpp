@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "answers/scene.hpp"
-
 #include <iomanip>
 #include <sstream>
 
+#include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "magicmass/scenes/run.hpp"
 
@@ -35,7 +34,7 @@ Asked asked(const Request& request, const std::string& command) {
 /// A double, or an exact number where those are asked for.
 Cell number_cell(const Number& number, bool exact) {
   const auto* value = std::get_if<Quadratic>(&number);
-  if (exact && value != nullptr) return exact_cell(value->text());
+  if (exact && value != nullptr) return text_cell(value->text());
   const auto rounded = double_of(number);
   if (!rounded)
     throw Undecided(
@@ -44,21 +43,21 @@ Cell number_cell(const Number& number, bool exact) {
   return real_cell(*rounded);
 }
 
+std::string printed(double value, int digits) {
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return text.str();
+}
+
 /// What fits a table of 80 columns: 8 digits.
 Cell short_cell(const Number& number, bool exact) {
   const Cell cell = number_cell(number, exact);
   if (exact || cell.text.size() < 11) return cell;
-  std::ostringstream digits;
-  digits << std::setprecision(8) << *double_of(number);
-  return {digits.str(), cell.json};
+  return {printed(*double_of(number), 8), cell.json};
 }
 
 /// Two digits, rounded up; it is finite.
-Cell bound_cell(double bound) {
-  std::ostringstream digits;
-  digits << std::setprecision(2) << 1.06 * bound;
-  return {digits.str(), digits.str()};
-}
+Cell bound_cell(double bound) { return whole_cell(printed(1.06 * bound, 2)); }
 
 Fields status_fields(const Result& result) {
   Fields fields{{"status", text_cell(status_name(result.status))}};
@@ -77,28 +76,9 @@ Fields plan_fields(const Result& result) {
           {"events", count_cell(result, result.events, missing_cell())}};
 }
 
-Cell counts_cell(const Scene& scene, const Result& result) {
-  Fields counts;
-  const std::size_t bodies = scene.masses.size();
-  for (std::size_t gap = scene.left_wall ? 0 : 1; gap < bodies + (scene.right_wall ? 1 : 0); ++gap)
-    counts.emplace_back(gap_name(scene, gap),
-                        count_cell(result, result.counts[gap], {"infinitely many", "null"}));
-  return object_cell(counts);
-}
-
-Cell terminal_cell(const Scene& scene, const Result& result) {
-  Fields terminal;
-  for (std::size_t i = 0; i < result.terminal.size(); ++i)
-    terminal.emplace_back(body_name(scene, i), number_cell(result.terminal[i], scene.is_exact));
-  if (scene.kind == Kind::three_body && scene.receiver())
-    terminal.emplace_back("rho", number_cell(result.transmitted, scene.is_exact));
-  return object_cell(terminal);
-}
-
 /// What stands before the collisions.
 Fields head_fields(const Asked& asked) {
-  const Result& result = asked.result;
-  const Scene& scene = asked.scene;
+  const auto& [scene, result] = asked;
   const auto shown = [&](const Number& number) { return number_cell(number, scene.is_exact); };
   const std::string plan = result.plan.model + ": " + result.plan.reason;
   Fields fields = status_fields(result);
@@ -110,8 +90,22 @@ Fields head_fields(const Asked& asked) {
     fields.emplace_back("error", object_cell({{"time", bound_cell(error->time)},
                                               {"position", bound_cell(error->position)},
                                               {"velocity", bound_cell(error->velocity)}}));
-  if (scene.wants("counts")) fields.emplace_back("counts", counts_cell(scene, result));
-  if (scene.wants("terminal")) fields.emplace_back("terminal", terminal_cell(scene, result));
+  if (scene.wants("counts")) {
+    Fields counts;
+    const std::size_t gaps = scene.masses.size() + (scene.right_wall ? 1 : 0);
+    for (std::size_t gap = scene.left_wall ? 0 : 1; gap < gaps; ++gap)
+      counts.emplace_back(gap_name(scene, gap),
+                          count_cell(result, result.counts[gap], {"infinitely many", "null"}));
+    fields.emplace_back("counts", object_cell(counts));
+  }
+  if (scene.wants("terminal")) {
+    Fields terminal;
+    for (std::size_t i = 0; i < result.terminal.size(); ++i)
+      terminal.emplace_back(body_name(scene, i), shown(result.terminal[i]));
+    if (scene.kind == Kind::three_body && scene.receiver())
+      terminal.emplace_back("rho", shown(result.transmitted));
+    fields.emplace_back("terminal", object_cell(terminal));
+  }
   if (scene.wants("energy")) {
     const bool is_cold = result.status == Status::limited && double_of(result.energy_before) &&
                          !double_of(result.energy);

@@ -1,33 +1,28 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "answers/velocities.hpp"
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
 
+#include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "answers/meanings.hpp"
 #include "answers/motion.hpp"
-#include "answers/polynomial.hpp"
-#include "derivation/book.hpp"
+#include "kernel/print.hpp"
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"
+#include "magicmass/numbers/counts.hpp"
 #include "magicmass/numbers/fast.hpp"
+#include "magicmass/simulator/contact.hpp"
 
 namespace answers {
 namespace {
 
 using notation::Alpha;
 
-constexpr std::int64_t most_digits = 10000;
-
 Cell alpha_cell(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return real_cell(*value);
-  return exact_cell(notation::text(alpha));
-}
-/// The digits that are asked for. Throws Undecided for more than are given at once.
-std::optional<int> digits_wanted(const Request& request) {
-  const auto digits = request.whole("digits", 1, INT64_MAX);
-  if (digits.value_or(0) > most_digits)
-    throw Undecided("digits: " + std::to_string(*digits) +
-                    " are more than are given at once; at most " + std::to_string(most_digits));
-  return digits ? std::optional(static_cast<int>(*digits)) : std::nullopt;
+  return text_cell(notation::text(alpha));
 }
 /// The tier that is asked for; "exact" where digits are.
 std::string tier_of(const Request& request) {
@@ -71,8 +66,8 @@ struct Asked {
                       " would have some " + kernel::digits(bits) + " bits; add --digits D");
     Row row;
     for (const cln::cl_RA& x : fractions(*fraction))
-      row.push_back(wants_fractions ? exact_cell(kernel::digits(x))
-                    : digits        ? exact_cell(*balls::decimal(x, x, *digits))
+      row.push_back(wants_fractions ? text_cell(kernel::digits(x))
+                    : digits        ? text_cell(*balls::decimal(x, x, *digits))
                                     : real_cell(balls::nearest_double(x, x).value()));
     return row;
   }
@@ -80,6 +75,33 @@ struct Asked {
 /// One row, the answer.
 Answer answer(Names columns, std::initializer_list<Row> parts) {
   return {{std::move(columns), {concatenated(parts)}, false}, ""};
+}
+
+// Many rows at once: what does not read as a number becomes one that the array functions have no
+// answer for.
+
+using Reals = std::vector<double>;
+using Wholes = std::vector<std::int64_t>;
+
+/// An option of each row: its field, or what all share; `none` where that is no such number.
+template <class Number>
+std::vector<Number> option_of(const Rows& rows, const std::string& option,
+                              std::optional<Number> (*read)(std::string_view), Number none) {
+  const auto column = std::find(rows.columns.begin(), rows.columns.end(), option);
+  const auto at = static_cast<std::size_t>(column - rows.columns.begin());
+  std::vector<Number> all;
+  for (const std::vector<std::string>& fields : rows.fields)
+    all.push_back(read(at < fields.size() ? fields[at] : rows.shared.text(option)).value_or(none));
+  return all;
+}
+Reals alphas_of(const Rows& rows) {
+  return option_of(rows, "alpha", notation::read_double, std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Whether the array functions answer for them.
+bool is_of_arrays(const Rows& rows) {
+  return !rows.shared.has("digits") && rows.shared.text("tier") != "exact" &&
+         !rows.shared.has("restitution") && std::ranges::count(rows.columns, "restitution") == 0;
 }
 
 }  // namespace
@@ -192,56 +214,46 @@ Row end_of(const Asked& in, const Alpha& restitution) {
 Answer terminal(const Request& request) {
   const Asked in(request);
   const Names columns = terminal_columns(request);
-  if (!request.has("restitution"))
-    return answer(columns, {{alpha_cell(in.alpha)}, end_of(in, cln::cl_RA(1))});
-  const Alpha e = restitution_of(request);
-  Row end = end_of(in, e);
-  end.resize(columns.size() - 2, missing_cell());  // where collisions end: no collapse_time
-  return answer(columns, {{alpha_cell(in.alpha), alpha_cell(e)}, end});
+  const bool may_lose = request.has("restitution");
+  const Alpha e = may_lose ? restitution_of(request) : Alpha(cln::cl_RA(1));
+  Row row =
+      concatenated({{alpha_cell(in.alpha)}, Row(may_lose ? 1 : 0, alpha_cell(e)), end_of(in, e)});
+  row.resize(columns.size(), missing_cell());  // where collisions end: no collapse_time
+  return answer(columns, {row});
 }
 
-Answer ratios(const Request& request) {
-  constexpr int rows_at_once = 100;
-  const int count = static_cast<int>(request.whole("count", 1, 1'000'000'000).value_or(10));
-  const std::optional<int> digits = digits_wanted(request);
-  const bool has_polynomials = request.has("polynomials");
-  const int at_once = has_polynomials ? 200 : 100'000;
-  if (count > at_once) {
-    throw Undecided("ratios: " + std::to_string(count) +
-                    " rows are more than are answered at once; "
-                    "at most --count " +
-                    std::to_string(at_once) + (has_polynomials ? " with polynomials" : ""));
-  }
-  Names columns{"k", "magic", "deficient", "magic_radicals", "deficient_radicals"};
-  if (has_polynomials) columns.insert(columns.end(), {"magic_polynomial", "deficient_polynomial"});
-  const auto rows_from = [=](int first) {
-    std::vector<Row> rows;
-    for (int k = first; k <= std::min(count, first + rows_at_once - 1); ++k) {
-      Row numbers, radicals, polynomials;
-      for (const bool is_magic : {true, false}) {
-        const auto ratio = [&] { return Balls{ball_of(notation::Threshold{is_magic, k})}; };
-        numbers.push_back(rounded(ratio, digits)[0]);
-        const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
-        const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
-        radicals.push_back(derivation::is_shown(id) ? text_cell(kernel::text(right_side(id)))
-                                                    : missing_cell());
-        if (has_polynomials)
-          polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));
-      }
-      rows.push_back(concatenated({{whole_cell(k)}, numbers, radicals, polynomials}));
-    }
-    return rows;
-  };
-  Answer answer{{columns, rows_from(1)}, ""};
-  answer.stream = [=, format = format_of(request.format)](const auto& write) {
-    Writer writer(format, columns, true);
-    for (int first = 1; first <= count; first += rows_at_once) {
-      write(writer.rows(rows_from(first)));
-      write("");
-    }
-    write(writer.end());
-  };
-  return answer;
+Block eval_block(const Rows& rows) {
+  if (!is_of_arrays(rows)) return {};
+  const Reals alpha = alphas_of(rows);
+  const Wholes n = option_of(rows, "n", read_whole, std::int64_t{-1});
+  std::vector<Reals> v(4, Reals(alpha.size()));
+  const magicmass::VelocityColumns columns{v[0], v[1], v[2], v[3]};
+  const bool is_fast = rows.shared.text("tier") == "fast";
+  if (is_fast)
+    magicmass::fast::velocities(alpha, n, columns);
+  else
+    magicmass::accurate::velocities(alpha, n, columns);
+  return {{alpha, n, text_cell(is_fast ? "fast" : "accurate"), v[0], v[1], v[2], v[3]}};
+}
+
+Block count_block(const Rows& rows) {
+  const Reals alpha = alphas_of(rows);
+  Wholes N_A(alpha.size()), N_B(alpha.size());
+  magicmass::count_collisions(alpha, N_A, N_B);
+  return {{alpha, N_A, N_B}};
+}
+
+Block terminal_block(const Rows& rows) {
+  if (!is_of_arrays(rows)) return {};
+  const Reals alpha = alphas_of(rows);
+  Wholes N_A(alpha.size()), N_B(alpha.size());
+  std::vector<Reals> v(4, Reals(alpha.size()));
+  const magicmass::TerminalColumns columns{N_A, N_B, v[0], v[1], v[2], v[3]};
+  if (rows.shared.text("tier") == "fast")
+    magicmass::fast::terminal(alpha, columns);
+  else
+    magicmass::accurate::terminal(alpha, columns);
+  return {{alpha, N_A, N_B, v[0], v[1], v[2], v[3]}};
 }
 
 }  // namespace answers

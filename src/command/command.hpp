@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "answers/rows.hpp"
+#include "answers/request.hpp"
 
 namespace command {
 

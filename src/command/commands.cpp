@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One row a command.
+#include "answers/commands.hpp"
+
 #include "answers/derivation.hpp"
-#include "answers/equality.hpp"
-#include "answers/scene.hpp"
-#include "answers/velocities.hpp"
 #include "classroom/classroom.hpp"
 #include "command/command.hpp"
 #include "command/files.hpp"

@@ -32,11 +32,10 @@ answers::Answer derive(const answers::Request& request) {
   const std::string folder = request.text("output");
   if (folder.empty() || folder == "-")
     throw InvalidInput("derive: --format coq is a folder of files; allowed: -o FOLDER");
-  const coq::Files files = all_files();
-  write_folder("derive: -o", folder, [&] {
-    return generate::Texts{files.texts.begin(), files.texts.end()};
+  const auto texts = all_files().texts;
+  return write_folder("derive: -o", folder, [&] {
+    return generate::Texts{texts.begin(), texts.end()};
   });
-  return {{}, std::to_string(files.texts.size()) + " files written to " + folder + "\n"};
 }
 
 answers::Answer verify(const answers::Request& request) {

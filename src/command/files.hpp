@@ -11,9 +11,9 @@
 namespace command {
 
 /// All files or none; a folder that was not there goes again where there is none. Throws
-/// InvalidInput, after `option` ("generate: --out"), where the system refuses.
-void write_folder(const std::string& option, const std::string& folder,
-                  const std::function<generate::Texts()>& texts);
+/// InvalidInput, after `option` ("generate: --out"), where the system refuses; says how many.
+answers::Answer write_folder(const std::string& option, const std::string& folder,
+                             const std::function<generate::Texts()>& texts);
 
 /// Writes what the theorems give to a folder, all of it or nothing; with "check" compares instead,
 /// and a difference is a failed check. With "quantity" or "scene" one header.

@@ -69,8 +69,8 @@ std::string header(const answers::Request& request) {
 
 }  // namespace
 
-void write_folder(const std::string& option, const std::string& folder,
-                  const std::function<generate::Texts()>& texts) {
+answers::Answer write_folder(const std::string& option, const std::string& folder,
+                             const std::function<generate::Texts()>& texts) {
   const auto refuse = [&](const std::string& why) {
     throw InvalidInput(option + " " + answers::shown_text(folder) + ": " + why +
                        "; allowed: a folder to write to");
@@ -85,6 +85,7 @@ void write_folder(const std::string& option, const std::string& folder,
     } catch (const std::runtime_error& problem) {
       refuse(problem.what());
     }
+    return {{}, std::to_string(files.size()) + " files written to " + folder + "\n"};
   } catch (...) {
     if (is_new) std::filesystem::remove(folder, error);
     throw;
@@ -97,10 +98,7 @@ answers::Answer generate_files(const answers::Request& request) {
     throw InvalidInput("generate: --form is of one header; allowed: with --quantity or --scene");
   const std::string folder = request.has("out") ? request.text("out") : "generated";
   const generate::Texts texts = generate::generated();
-  if (!request.has("check")) {
-    write_folder("generate: --out", folder, [&] { return texts; });
-    return {{}, std::to_string(texts.size()) + " files written to " + folder + "\n"};
-  }
+  if (!request.has("check")) return write_folder("generate: --out", folder, [&] { return texts; });
   const std::vector<std::string> stale = generate::differences(folder, texts);
   const std::string files = std::to_string(texts.size()) + " files";
   if (stale.empty()) return {{}, folder + " is what the theorems give: " + files + "\n"};

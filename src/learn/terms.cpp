@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "learn/terms.hpp"
 
-#include "answers/equality.hpp"
+#include <algorithm>
+
+#include "answers/commands.hpp"
 #include "answers/errors.hpp"
-#include "answers/question.hpp"
+#include "answers/meanings.hpp"
+#include "balls/ball.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace learn {

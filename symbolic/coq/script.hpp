@@ -22,6 +22,7 @@ using Atoms = std::map<kernel::Expr, std::string>;
 std::string name(const std::string& kernel_name);
 /// In Coq's language. `bound`: what the variables of the quantifiers around e are called,
 /// outermost first.
+std::string gallina(kernel::Expr e, const Names& bound = {}, const Atoms& atoms = {});
 /// Names for the indices of e that lead out of it.
 Names loose_names(kernel::Expr e);
 /// "" or " name name".

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "answers/polynomial.hpp"
-
+#include <algorithm>
 #include <utility>
 
-#include "kernel/expr.hpp"
+#include "answers/commands.hpp"
+#include "answers/errors.hpp"
+#include "answers/meanings.hpp"
+#include "answers/motion.hpp"
+#include "derivation/book.hpp"
+#include "kernel/print.hpp"
 
 namespace answers {
 namespace {
@@ -70,6 +74,50 @@ std::string text_of(const Polynomial& p) {
     out += power.empty() ? size : size == "1" ? power : size + "*" + power;
   }
   return out;
+}
+
+Answer ratios(const Request& request) {
+  constexpr int rows_at_once = 100;
+  const int count = static_cast<int>(request.whole("count", 1, 1'000'000'000).value_or(10));
+  const std::optional<int> digits = digits_wanted(request);
+  const bool has_polynomials = request.has("polynomials");
+  const int at_once = has_polynomials ? 200 : 100'000;
+  if (count > at_once) {
+    throw Undecided("ratios: " + std::to_string(count) +
+                    " rows are more than are answered at once; "
+                    "at most --count " +
+                    std::to_string(at_once) + (has_polynomials ? " with polynomials" : ""));
+  }
+  Names columns{"k", "magic", "deficient", "magic_radicals", "deficient_radicals"};
+  if (has_polynomials) columns.insert(columns.end(), {"magic_polynomial", "deficient_polynomial"});
+  const auto rows_from = [=](int first) {
+    std::vector<Row> rows;
+    for (int k = first; k <= std::min(count, first + rows_at_once - 1); ++k) {
+      Row numbers, radicals, polynomials;
+      for (const bool is_magic : {true, false}) {
+        const auto ratio = [&] { return Balls{ball_of(notation::Threshold{is_magic, k})}; };
+        numbers.push_back(rounded(ratio, digits)[0]);
+        const std::string name = (is_magic ? "alpha_" : "beta_") + std::to_string(k);
+        const std::string id = (name == "alpha_1" ? "ratios." : "radicals.") + name;
+        radicals.push_back(derivation::is_shown(id) ? text_cell(kernel::text(right_side(id)))
+                                                    : missing_cell());
+        if (has_polynomials)
+          polynomials.push_back(text_cell(text_of(polynomial_of_ratio(k, is_magic))));
+      }
+      rows.push_back(concatenated({{whole_cell(k)}, numbers, radicals, polynomials}));
+    }
+    return rows;
+  };
+  Answer answer{{columns, rows_from(1)}, ""};
+  answer.stream = [=, format = format_of(request.format)](const auto& write) {
+    Writer writer(format, columns, true);
+    for (int first = 1; first <= count; first += rows_at_once) {
+      write(writer.rows(rows_from(first)));
+      write("");
+    }
+    write(writer.end());
+  };
+  return answer;
 }
 
 }  // namespace answers
