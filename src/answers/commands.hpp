@@ -14,19 +14,17 @@ namespace answers {
 /// InvalidInput for n above N_A, Undecided for exact fractions that would be too long. Columns a
 /// and c: just after P_n, in units of V; b and c_prime: just after Q_n.
 Answer eval(const Request& request);
-Names eval_columns(const Request& request);
 
 Answer count(const Request& request);
-Names count_columns(const Request& request);
 
 /// Terminal velocities in units of V and rho, B's share of the energy: options alpha, tier, digits,
 /// restitution. Where collisions never end, collapse_time is when they do, in units of L/V, and the
 /// velocities are from then on; exact fractions throw Undecided there.
 Answer terminal(const Request& request);
-Names terminal_columns(const Request& request);
 
 /// The same answers for many rows at once, bit for bit, where a mass ratio is a double and the tier
-/// is fast or accurate; other rows have none here, as have those that are refused.
+/// is fast or accurate; other rows have none here, as have those that are refused. Columns have their
+/// names in any case.
 Block eval_block(const Rows& rows);
 Block count_block(const Rows& rows);
 Block terminal_block(const Rows& rows);

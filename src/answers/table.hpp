@@ -49,7 +49,8 @@ Row concatenated(std::initializer_list<Row> parts);
 struct Block {
   /// A cell is the same in each row.
   using Numbers = std::variant<std::vector<double>, std::vector<std::int64_t>, Cell>;
-  std::vector<Numbers> columns;
+  Names names;
+  std::vector<Numbers> columns = {};
 
   /// A row without an answer ends in NaN or -1; without columns none has one.
   bool answers(std::size_t row) const;

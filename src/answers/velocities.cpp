@@ -72,6 +72,12 @@ struct Asked {
     return row;
   }
 };
+const Names of_eval{"alpha", "n", "tier", "a", "b", "c", "c_prime"};
+const Names of_count{"alpha", "N_A", "N_B"};
+const Names of_terminal{"alpha", "N_A", "N_B", "a_t", "b_t", "c_t", "rho"};
+const Names with_restitution{"alpha", "restitution", "N_A", "N_B",          "a_t",
+                             "b_t",   "c_t",         "rho", "collapse_time"};
+
 /// One row, the answer.
 Answer answer(Names columns, std::initializer_list<Row> parts) {
   return {{std::move(columns), {concatenated(parts)}, false}, ""};
@@ -100,15 +106,10 @@ Reals alphas_of(const Rows& rows) {
 
 /// Whether the array functions answer for them.
 bool is_of_arrays(const Rows& rows) {
-  return !rows.shared.has("digits") && rows.shared.text("tier") != "exact" &&
-         !rows.shared.has("restitution") && std::ranges::count(rows.columns, "restitution") == 0;
+  return !rows.shared.has("digits") && rows.shared.text("tier") != "exact";
 }
 
 }  // namespace
-
-Names eval_columns(const Request& /*request*/) {
-  return {"alpha", "n", "tier", "a", "b", "c", "c_prime"};
-}
 
 Answer eval(const Request& request) {
   const Asked in(request);
@@ -127,21 +128,12 @@ Answer eval(const Request& request) {
   } else {
     four = in.cells(n, "cycles", exactly, [&] { return velocities(in.alpha, n); });
   }
-  return answer(eval_columns(request),
-                {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
+  return answer(of_eval, {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
 }
-
-Names count_columns(const Request& /*request*/) { return {"alpha", "N_A", "N_B"}; }
 
 Answer count(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
-  return answer(count_columns(request),
-                {{alpha_cell(alpha)}, count_cells(count_collisions(alpha))});
-}
-
-Names terminal_columns(const Request& request) {
-  if (!request.has("restitution")) return {"alpha", "N_A", "N_B", "a_t", "b_t", "c_t", "rho"};
-  return {"alpha", "restitution", "N_A", "N_B", "a_t", "b_t", "c_t", "rho", "collapse_time"};
+  return answer(of_count, {{alpha_cell(alpha)}, count_cells(count_collisions(alpha))});
 }
 
 /// The restitution of a request, written as a mass ratio is.
@@ -213,8 +205,8 @@ Row end_of(const Asked& in, const Alpha& restitution) {
 
 Answer terminal(const Request& request) {
   const Asked in(request);
-  const Names columns = terminal_columns(request);
   const bool may_lose = request.has("restitution");
+  const Names& columns = may_lose ? with_restitution : of_terminal;
   const Alpha e = may_lose ? restitution_of(request) : Alpha(cln::cl_RA(1));
   Row row =
       concatenated({{alpha_cell(in.alpha)}, Row(may_lose ? 1 : 0, alpha_cell(e)), end_of(in, e)});
@@ -223,7 +215,7 @@ Answer terminal(const Request& request) {
 }
 
 Block eval_block(const Rows& rows) {
-  if (!is_of_arrays(rows)) return {};
+  if (!is_of_arrays(rows)) return {of_eval};
   const Reals alpha = alphas_of(rows);
   const Wholes n = option_of(rows, "n", read_whole, std::int64_t{-1});
   std::vector<Reals> v(4, Reals(alpha.size()));
@@ -233,18 +225,20 @@ Block eval_block(const Rows& rows) {
     magicmass::fast::velocities(alpha, n, columns);
   else
     magicmass::accurate::velocities(alpha, n, columns);
-  return {{alpha, n, text_cell(is_fast ? "fast" : "accurate"), v[0], v[1], v[2], v[3]}};
+  return {of_eval, {alpha, n, text_cell(is_fast ? "fast" : "accurate"), v[0], v[1], v[2], v[3]}};
 }
 
 Block count_block(const Rows& rows) {
   const Reals alpha = alphas_of(rows);
   Wholes N_A(alpha.size()), N_B(alpha.size());
   magicmass::count_collisions(alpha, N_A, N_B);
-  return {{alpha, N_A, N_B}};
+  return {of_count, {alpha, N_A, N_B}};
 }
 
 Block terminal_block(const Rows& rows) {
-  if (!is_of_arrays(rows)) return {};
+  if (rows.shared.has("restitution") || std::ranges::count(rows.columns, "restitution") != 0)
+    return {with_restitution};
+  if (!is_of_arrays(rows)) return {of_terminal};
   const Reals alpha = alphas_of(rows);
   Wholes N_A(alpha.size()), N_B(alpha.size());
   std::vector<Reals> v(4, Reals(alpha.size()));
@@ -253,7 +247,7 @@ Block terminal_block(const Rows& rows) {
     magicmass::fast::terminal(alpha, columns);
   else
     magicmass::accurate::terminal(alpha, columns);
-  return {{alpha, N_A, N_B, v[0], v[1], v[2], v[3]}};
+  return {of_terminal, {alpha, N_A, N_B, v[0], v[1], v[2], v[3]}};
 }
 
 }  // namespace answers

@@ -38,10 +38,9 @@ struct Command {
   std::vector<Option> options = {};
   std::string words = {};  ///< how help calls the words that no option takes; "" for none
   std::vector<std::string> formats = {"text", "json", "csv"};  ///< the first unless told otherwise
-  /// Of answers to --input, where it may have no row; of the request's options only names count.
-  std::function<answers::Names(const answers::Request&)> columns = {};
   std::function<answers::Answer(const answers::Request&)> run;
-  /// The same answers for many rows of --input; those without one are handed to `run`.
+  /// The same answers for many rows of --input, which may be none, and in any case their columns;
+  /// rows without an answer are handed to `run`.
   std::function<answers::Block(const answers::Rows&)> run_block = {};
   Limits limits = {};              ///< unless told otherwise
   std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output

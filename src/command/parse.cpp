@@ -39,20 +39,11 @@ std::vector<Option> options_of(const Command& command) {
   return options;
 }
 
-/// A description is the summary, a line feed, and the example; help shows the example first.
-class ExampleFirst : public CLI::Formatter {
+class Formatter : public CLI::Formatter {
 public:
-  std::string make_description(const CLI::App* app) const override {
-    const std::string description = app->get_description();
-    const std::size_t end = description.find('\n');
-    return "Example:" + description.substr(end) + "\n\n" + description.substr(0, end) + ".\n\n";
-  }
-
   std::string make_subcommand(const CLI::App* app) const override {
-    const std::string description = app->get_description();
     std::ostringstream text;
-    const std::string summary = description.substr(0, description.find('\n'));
-    CLI::detail::format_help(text, app->get_name(), summary, 14);
+    CLI::detail::format_help(text, app->get_name(), app->get_description(), 14);
     return text.str();
   }
 
@@ -142,10 +133,10 @@ Asked asked_for(const Command& command, const std::vector<Option>& options,
 
 void describe(CLI::App& app, const std::string& name, const std::string& summary,
               const std::string& example) {
-  const auto formatter = std::make_shared<ExampleFirst>();
+  const auto formatter = std::make_shared<Formatter>();
   formatter->column_width(26);
   app.name(name);
-  app.description(summary + "\n  " + example);
+  app.description("Example:\n  " + example + "\n\n" + summary + ".\n");
   app.formatter(formatter);
 }
 
@@ -156,8 +147,7 @@ std::string help_of(const Program& program) {
   app.footer(program.name +
              " COMMAND --help explains a command. Exit codes: 0 done,\n"
              "1 a check failed, 2 bad usage or input, 3 undecided or does not fit.");
-  for (const Command& command : program.commands)
-    app.add_subcommand(command.name, command.summary + "\n" + command.example);
+  for (const Command& command : program.commands) app.add_subcommand(command.name, command.summary);
   return help_of(app);
 }
 

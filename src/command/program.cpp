@@ -46,14 +46,14 @@ void open_standard_streams() {
       ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-/// Of rows of the input with these columns, written a block at a time.
-void write_answers(const Asked& asked, const answers::Names& columns, CsvReader& reader,
-                   answers::Rows rows, Destination& output, const Tell& tell, std::string& place) {
+/// Of rows of the input, written a block at a time.
+void write_answers(const Asked& asked, CsvReader& reader, answers::Rows rows, Destination& output,
+                   const Tell& tell, std::string& place) {
   constexpr std::size_t rows_at_once = 4096;
   constexpr std::size_t most_bytes = std::size_t{1} << 20U;
   const Command& command = *asked.command;
   const answers::Format format = answers::format_of(asked.request.format);
-  answers::Writer writer(format, columns, true);
+  answers::Writer writer(format, command.run_block(rows).names, true);
   std::uint64_t done = 0;
   std::string text;
   std::vector<answers::Row> alone;  // to follow the text
@@ -66,7 +66,7 @@ void write_answers(const Asked& asked, const answers::Names& columns, CsvReader&
   };
   while (reader.read(rows.fields, rows_at_once)) {
     answers::Block block;
-    if (command.run_block && format != answers::Format::text) block = command.run_block(rows);
+    if (format != answers::Format::text) block = command.run_block(rows);
     const std::size_t size = rows.fields.size();
     for (std::size_t row = 0; row < size; ++row) {
       if (block.answers(row)) {
@@ -104,7 +104,7 @@ void answer_rows(const Asked& asked, Destination& output, const Tell& tell, std:
   for (const Option& option : asked.command->options)
     if (option.is_required && !any_row.has(option.name))
       throw InvalidInput(reader.place() + "no column " + option.name);
-  write_answers(asked, asked.command->columns(any_row), reader, rows, output, tell, place);
+  write_answers(asked, reader, rows, output, tell, place);
 }
 
 ExitCode answer(const Asked& asked, const Tell& tell, std::string& place) {

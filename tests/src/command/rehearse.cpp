@@ -98,8 +98,8 @@ int main(int argc, char** argv) {
                   {"times", "N", "how often, from 1 to 99", {}, false, true},
                   {"voice", "VOICE", "loud, soft", {"loud", "soft"}},
                   {"twice", "", "a flag"}},
-      .columns = [](const Request&) { return echo_columns; },
-      .run = echo};
+      .run = echo,
+      .run_block = [](const answers::Rows&) { return answers::Block{echo_columns}; }};
   command::Command many_row = plain("many", many);
   many_row.summary = "Many lines";
   many_row.options = {{"lines", "N", "how many"}};
