@@ -37,12 +37,6 @@ TEST_CASE("a cell of a million numbers is wrapped in linear time", "[check]") {
   CHECK(lines == 1'000'000 / 11);  // all but the last
 }
 
-TEST_CASE("columns stay apart where a later block is wider than the first", "[exam]") {
-  Writer writer(Format::text, {"k", "n"}, true);
-  writer.rows(std::vector<Row>{{whole_cell(1), whole_cell(2)}});
-  CHECK(writer.rows(std::vector<Row>{{whole_cell(12345), whole_cell(6)}}) == "12345  6\n");
-}
-
 TEST_CASE("cells", "[exam]") {
   CHECK(written({{"a"}, {{text_cell("\r")}}}, Format::csv) == "a\n\"\r\"\n");
   CHECK(real_cell(-0.0).text == "0");

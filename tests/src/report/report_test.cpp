@@ -59,13 +59,6 @@ TEST_CASE("Tiers keep their promises", "[check]") {
   }
 }
 
-TEST_CASE("Arrays have the errors of single calls", "[check]") {
-  for (const Family& family : families())
-    for (const std::string tier : {"fast", "accurate"})
-      CHECK(errors_of(tier, Quantity::velocities, family.name) ==
-            errors_of(tier + " arrays", Quantity::velocities, family.name));
-}
-
 TEST_CASE("Three ulp planted in one family are found there alone", "[check]") {
   Plan plan = errors_alone();
   const auto planted = [](Columns& columns) {
