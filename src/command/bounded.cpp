@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A child holds one end of a pipe: numbers on it tell of rows, its end is the child's.
-#include "command/bounded.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -19,6 +17,7 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
+#include "command/frame.hpp"
 
 constexpr std::int64_t end_seconds = 5;
 

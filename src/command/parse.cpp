@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // CLI11 writes help. It would read some words in ways that surprise: 010 as 8, -x as an option.
-#include "command/parse.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <sstream>
@@ -9,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "answers/errors.hpp"
+#include "command/frame.hpp"
 
 namespace command {
 namespace {

@@ -8,10 +8,9 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
-#include "command/bounded.hpp"
 #include "command/command.hpp"
 #include "command/destination.hpp"
-#include "command/parse.hpp"
+#include "command/frame.hpp"
 #include "command/rows.hpp"
 
 namespace command {

@@ -11,10 +11,6 @@
 
 namespace report {
 
-/// What --quick asks for: fewer inputs and shorter measurements.
-Plan quick_plan();
-
-answers::Table table_of(const std::vector<Measurement>& measurements);
 /// Headings and narrow tables: the worst family of each evaluator, then each family. Fits 80
 /// columns, or is Markdown.
 std::string document_of(const std::vector<Measurement>& measurements, bool is_markdown);

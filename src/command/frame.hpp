@@ -1,14 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The bound on time and memory, put once around whatever a command does.
+// From the words of the command line to a request; the bound on time and memory, put once around
+// whatever answers it.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "command/command.hpp"
 
 namespace command {
+
+struct Asked {
+  const Command* command = nullptr;
+  answers::Request request;  ///< with what all commands share: input, output
+  Limits limits;             ///< --time-limit, --memory-limit
+};
+
+/// What was asked, or the text of --help or --version. Throws answers::InvalidInput for words that
+/// ask for nothing.
+std::variant<Asked, std::string> parse(const Program& program, std::vector<std::string> words);
 
 /// Tells how many rows are done; 0: output begins, so that the terminal's progress line goes.
 using Tell = std::function<void(std::uint64_t rows)>;
