@@ -23,8 +23,8 @@ Answer count(const Request& request);
 Answer terminal(const Request& request);
 
 /// The same answers for many rows at once, bit for bit, where a mass ratio is a double and the tier
-/// is fast or accurate; other rows have none here, as have those that are refused. Columns have their
-/// names in any case.
+/// is fast or accurate; other rows have none here, as have those that are refused. Columns have
+/// their names in any case.
 Block eval_block(const Rows& rows);
 Block count_block(const Rows& rows);
 Block terminal_block(const Rows& rows);
