@@ -78,7 +78,8 @@ Fields plan_fields(const Result& result) {
 
 /// What stands before the collisions.
 Fields head_fields(const Asked& asked) {
-  const auto& [scene, result] = asked;
+  const Scene& scene = asked.scene;
+  const Result& result = asked.result;
   const auto shown = [&](const Number& number) { return number_cell(number, scene.is_exact); };
   const std::string plan = result.plan.model + ": " + result.plan.reason;
   Fields fields = status_fields(result);
