@@ -2,15 +2,11 @@
 #include "answers/derivation.hpp"
 
 #include <algorithm>
-#include <map>
 #include <ranges>
-#include <set>
 
 #include "answers/errors.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
-#include "kernel/print.hpp"
-#include "render/pages.hpp"
 
 namespace answers {
 namespace {

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-#include <cmath>
 
 #include "answers/commands.hpp"
 #include "answers/motion.hpp"
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace answers {

@@ -2,7 +2,6 @@
 #include "answers/meanings.hpp"
 
 #include "derivation/book.hpp"
-#include "kernel/print.hpp"
 #include "notation/typed.hpp"
 
 namespace answers {

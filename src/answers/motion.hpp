@@ -8,9 +8,7 @@
 #include <vector>
 
 #include "answers/request.hpp"
-#include "magicmass/scenes/ball.hpp"
 #include "magicmass/scenes/trio.hpp"
-#include "notation/alpha.hpp"
 
 namespace answers {
 

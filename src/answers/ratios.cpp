@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-#include <utility>
 
 #include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "answers/meanings.hpp"
 #include "answers/motion.hpp"
 #include "derivation/book.hpp"
-#include "kernel/print.hpp"
 
 namespace answers {
 namespace {

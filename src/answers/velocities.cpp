@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-#include <array>
 #include <limits>
-#include <utility>
 
 #include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "answers/meanings.hpp"
 #include "answers/motion.hpp"
-#include "kernel/print.hpp"
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
 #include "magicmass/numbers/fast.hpp"
-#include "magicmass/simulator/contact.hpp"
 
 namespace answers {
 namespace {

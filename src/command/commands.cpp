@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One row a command.
-#include "answers/commands.hpp"
 
 #include "answers/derivation.hpp"
 #include "classroom/classroom.hpp"

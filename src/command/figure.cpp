@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <stdexcept>
 
-#include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "command/comparison.hpp"
 #include "command/files.hpp"

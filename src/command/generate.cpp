@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
 #include <filesystem>
-#include <map>
-#include <set>
 #include <sstream>
-#include <stdexcept>
 
 #include "answers/errors.hpp"
 #include "command/files.hpp"
 #include "generate/quantities.hpp"
-#include "magicmass/scenes/scene.hpp"
 #include "magicmass/scenes/trio.hpp"
 
 namespace command {

@@ -2,13 +2,11 @@
 // From the command line to an exit code.
 #include <csignal>
 #include <new>
-#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include "answers/errors.hpp"
-#include "command/command.hpp"
 #include "command/destination.hpp"
 #include "command/frame.hpp"
 #include "command/rows.hpp"

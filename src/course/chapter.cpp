@@ -10,7 +10,6 @@
 #include "answers/errors.hpp"
 #include "learn/judge.hpp"
 #include "magicmass/scenes/keys.hpp"
-#include "render/pages.hpp"
 
 namespace course {
 namespace {

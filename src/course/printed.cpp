@@ -3,7 +3,6 @@
 #include "answers/errors.hpp"
 #include "course/chapter.hpp"
 #include "notation/read.hpp"
-#include "render/pages.hpp"
 
 namespace course {
 namespace {

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "learn/terms.hpp"
 
-#include <algorithm>
-
 #include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "answers/meanings.hpp"
-#include "balls/ball.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace learn {

@@ -2,8 +2,6 @@
 #include "report/families.hpp"
 
 #include <bit>
-#include <limits>
-#include <optional>
 #include <set>
 
 #include "magicmass/numbers/counts.hpp"

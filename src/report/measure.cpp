@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "report/measure.hpp"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
 #include <numeric>
-#include <random>
 #include <set>
-#include <stdexcept>
 
 #include "magicmass/oracle/certain.hpp"
 

@@ -13,7 +13,6 @@
 #include <cln/rational.h>
 
 #include "magicmass/numbers/values.hpp"
-#include "report/families.hpp"
 #include "report/implementations.hpp"
 
 namespace report {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "answers/commands.hpp"
-#include "answers/request.hpp"
 #include "report/measure.hpp"
 
 namespace report {

@@ -8,7 +8,7 @@
 #include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "catch.hpp"
-#include "kernel/print.hpp"
+#include "kernel/expr.hpp"
 #include "law_of_collision.hpp"
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/oracle/certain.hpp"

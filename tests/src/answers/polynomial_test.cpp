@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "answers/motion.hpp"
-#include "balls/ball.hpp"
 #include "catch.hpp"
 #include "magicmass/numbers/accurate.hpp"
 

@@ -4,7 +4,6 @@
 #include <csignal>
 #include <fstream>
 #include <iterator>
-#include <stdexcept>
 #include <thread>
 
 #include "answers/errors.hpp"

@@ -5,8 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
-#include <limits>
-#include <map>
 #include <set>
 
 #include <nlohmann/json.hpp>

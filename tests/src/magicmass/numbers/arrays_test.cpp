@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Arrays: a row alone is the row among others, whatever their number, place and instruction set.
-#include <algorithm>
-#include <array>
 #include <cfenv>
-#include <cmath>
 #include <functional>
-#include <string>
 
 #include "catch.hpp"
 #include "magicmass/arithmetic/simd.hpp"

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What results cost beside one naive call that shares its trigonometry: least time of five runs,
 // and the least and largest ratio of the runs, in each of which both are timed side by side.
-#include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <cstdio>
-#include <vector>
 
 #include "src/magicmass/numbers/families.hpp"
 #include "src/magicmass/numbers/tiers.hpp"

@@ -3,8 +3,6 @@
 // nothing misrounded, no wrong count. Rows go to certified formulas on CLN's floats, and to the
 // oracle where these are not certain, for alpha > 2^10, and for one row in a thousand anyhow. Then
 // rational alpha up to cycle 64, all by the oracle.
-#include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <map>
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Terminal velocities with restitution against the law of a collision, in rationals.
-#include <array>
-#include <cmath>
 
-#include <cln/integer.h>
-#include <cln/rational.h>
 #include <cln/real.h>
 
 #include "catch.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Each operation of three words against MPFR's with 400 bits, edges among the operands.
-#include <cmath>
 
 #include "catch.hpp"
 #include "magicmass/numbers/mpfr_float.hpp"

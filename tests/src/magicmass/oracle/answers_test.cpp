@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The oracle against the simulator in exact rationals, and against known values.
-#include <cmath>
-#include <limits>
 #include <random>
 
 #include "catch.hpp"

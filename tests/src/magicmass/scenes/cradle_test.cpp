@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Cradles by theorem, against the engine in exact numbers and in doubles; and where bodies are.
-#include <cmath>
 #include <random>
-#include <utility>
 
-#include "catch.hpp"
 #include "magicmass/scenes/keys.hpp"
 #include "runs.hpp"
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Scenes from text to what they come to.
-#include <algorithm>
 #include <random>
 
-#include "catch.hpp"
 #include "magicmass/numbers/errors.hpp"
 #include "runs.hpp"
 

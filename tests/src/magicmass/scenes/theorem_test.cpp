@@ -3,10 +3,7 @@
 // of one collision alone; and against the motion in a mirror.
 #include <random>
 
-#include "catch.hpp"
 #include "law_of_collision.hpp"
-#include "magicmass/numbers/errors.hpp"
-#include "magicmass/scenes/run.hpp"
 #include "magicmass/scenes/trio.hpp"
 #include "runs.hpp"
 

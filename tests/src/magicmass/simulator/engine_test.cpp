@@ -2,8 +2,6 @@
 // The engine against conservation laws, and in a mirror.
 #include "magicmass/simulator/engine.hpp"
 
-#include <algorithm>
-#include <limits>
 #include <random>
 
 #include <cln/rational.h>
