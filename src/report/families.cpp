@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "report/families.hpp"
-
 #include <bit>
 #include <set>
 
 #include "magicmass/numbers/counts.hpp"
 #include "magicmass/oracle/certain.hpp"
+#include "report/measure.hpp"
 
 namespace report {
 

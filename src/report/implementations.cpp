@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "report/implementations.hpp"
-
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
@@ -10,6 +8,7 @@
 #include "magicmass/plain/product.hpp"
 #include "magicmass/plain/tangent.hpp"
 #include "magicmass/simulator/three_bodies.hpp"
+#include "report/measure.hpp"
 #include "report/naive.hpp"
 
 namespace report {

@@ -1,21 +1,84 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Errors and times of each implementation on each family.
+// Errors and times of each implementation on each family of difficult inputs.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
+#include <random>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <cln/rational.h>
 
 #include "magicmass/numbers/values.hpp"
-#include "report/implementations.hpp"
 
 namespace report {
+
+using Random = std::mt19937_64;
+
+enum class Quantity {
+  velocities,  ///< a, b, c, c' at alpha and n
+  collisions,  ///< t and s of collision j
+  terminal,    ///< N_A, N_B; a_t, b_t, c_t, rho at alpha
+  counts,      ///< N_A, N_B at alpha
+  ratios       ///< alpha_k and beta_k
+};
+inline const std::vector<std::pair<Quantity, std::string>> quantities{
+    {Quantity::velocities, "velocities"},
+    {Quantity::collisions, "collisions"},
+    {Quantity::terminal, "terminal"},
+    {Quantity::counts, "counts"},
+    {Quantity::ratios, "ratios"}};
+inline std::string name_of(Quantity quantity) { return quantities[std::size_t(quantity)].second; }
+
+/// The index is n of velocities, j of the last collision of cycle n, k of ratios, else 0.
+struct Input {
+  double alpha = 0;
+  std::int64_t index = 0;
+  friend bool operator==(const Input&, const Input&) = default;
+};
+
+struct Family {
+  std::string name;
+  std::string description;
+  std::uint64_t seed;
+  double (*alpha)(Random&);
+  /// Some n for a motion whose last is N_A.
+  std::int64_t (*n)(Random&, std::int64_t last);
+};
+/// Hardest first.
+const std::vector<Family>& families();
+
+/// So many draws of the family for the quantity, each input once. For terminal velocities and
+/// counts those alpha whose counts fit 63 bits; for ratios the k = N_A of these.
+std::vector<Input> inputs_of(const Family& family, Quantity quantity, std::size_t draws);
+
+/// Inputs, and what an implementation makes of them.
+struct Columns {
+  explicit Columns(std::span<const Input> inputs);
+  std::size_t size() const { return alpha.size(); }
+
+  std::vector<double> alpha;
+  std::vector<std::int64_t> index;
+  std::array<std::vector<double>, 4> values;        ///< in the order of Quantity's words
+  std::array<std::vector<std::int64_t>, 2> counts;  ///< N_A, N_B
+};
+
+struct Implementation {
+  std::string name;
+  Quantity quantity;
+  /// Fills the results. Throws std::domain_error for an input that this way does not take.
+  std::function<void(Columns&)> run;
+  std::size_t most_timed = 500;  ///< rows of a pass that is timed: fewer where it is slow
+};
+/// The naive one of a quantity before its others.
+const std::vector<Implementation>& implementations();
 
 struct Truth {
   Input input;
