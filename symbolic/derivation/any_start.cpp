@@ -4,8 +4,29 @@
 
 namespace derivation {
 namespace {
-Expr approach_of(Expr i) { return any_start.closing(i); }
 Expr swing(Expr i) { return V * U(i) + W * r_e() * U_last(i); }
+/// Its factors are positive, but perhaps the last.
+void closed_form(Book& book, const Theorem& r_e_is) {
+  const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
+  const Theorems turns = parts({book["cycle.turn"]});
+  const auto of_kappa = [&](const char* id) { return at(book[id], {{x, kappa()}}); };
+  const auto claim = [&](Expr i) { return eq(nearing(i), root_power(i) * side(i) * swing(i)); };
+  const Theorem last = of_kappa("chebyshev.last");
+  const Theorems values = squared_shares(book) + Theorems{book["wedge.kappa"], r_e_is};
+  Theorems first = values + Theorems{book["any_start.first"], turns[0], pow_is[0]};
+  for (const Theorem& t : {turns[1], pow_is[1], of_kappa("chebyshev.start"), last})
+    first.push_back(canonical_form(at(t, {{j, 0}})));
+  Theorems next = values + Theorems{book["any_start.recurrence"], book["cycle.turn_squared"],
+                                    of_kappa("chebyshev.next")};
+  for (const Theorem& t : {turns[1], pow_is[1], last})
+    next = next + Theorems{at(t), at(t, {{j, j + 1}})};
+  const Theorem speed =
+      book.show("speed", "collision j has the approach speed",
+                part(by_induction(j, logic_and({claim(j), claim(j + 1)}), first, next), 0));
+  know(book["wedge.signs"]);
+  book.show("takes_place", "and takes place if and only if a sum is positive:",
+            same_sign(iff(lt(0, nearing(j)), lt(0, swing(j))), root_power(j) * side(j), {speed}));
+}
 /// Where kappa is below 1: how many collisions there are.
 void number(Book& book) {
   const Known here;
@@ -17,7 +38,7 @@ void number(Book& book) {
   know(positive(sin(h)));
   const Expr slope = (kappa() + W / V * r_e()) / sin(h), tilt = atan(slope);
   const Theorem is =
-      book.define("phase_e", any_start.params, pi() / 2 - tilt, domain,
+      book.define("phase_e", any_start(), pi() / 2 - tilt, domain,
                   "Where kappa is below 1 and A approaches the ball, with the angle");
   const Expr phase = left(is), length = sqrt(1 + power(slope, 2));
   const auto angle = [&](Expr i) { return phase + (i - 1) * h; };
@@ -33,117 +54,70 @@ void number(Book& book) {
                 equation(swing(j), V * length * sin(phase + j * h),
                          rules + quotients_of_sines(book, cosine), {j * h, h, phase}));
   const Theorem sign =
-      tautology(iff(lt(0, approach_of(j)), lt(0, sin(angle(j + 1)))),
+      tautology(iff(lt(0, nearing(j)), lt(0, sin(angle(j + 1)))),
                 {book["any_start.takes_place"],
                  same_sign(iff(lt(0, swing(j)), lt(0, sin(angle(j + 1)))), V * length,
                            {restate(eq(swing(j), V * length * sin(angle(j + 1))), sines)})});
   const Theorems range = parts({at("atan range", {{x, slope}})});
   know(both({linear(lt(0, phase), {range[1], is}), linear(lt(0, pi() - phase), {range[0], is})}));
-  count(book,
-        {"N_any", any_start.params, domain, approach_of, angle, h, (pi() - phase) / h + 1, sign});
+  count(book, {"N_any", any_start(), domain, nearing, angle, h, (pi() - phase) / h + 1, sign});
 }
 /// Of a theorem of V and W that of d_A and d_B.
 Theorem of_distances(const Theorem& theorem) { return at(theorem, start_with(d_A, d_B)); }
-/// V tau - d_A and W tau - d_B, of which the velocities are places.
-Substitution on_the_line(Expr when) { return start_with(V * when - d_A, W * when - d_B); }
-/// That a term at the line's speeds is tau times that of V and W, less that of d_A and d_B.
-Expr is_linear(Expr term) {
-  return eq(substitute(term, on_the_line(tau)),
-            tau * term - substitute(term, start_with(d_A, d_B)));
-}
-/// The places, which are velocities for other speeds at the start; a line for each j.
-struct Lines {
-  Exprs velocities;
-  Theorems named;
-
-  /// A statement about velocities at what V and W are at the time, about places.
-  Theorem in_places(Theorem theorem, Expr time) const {
-    for (const Theorem& is : named)
-      for (Expr i : {j, j + 1}) theorem = rewrite(turned(at(is, {{tau, time}, {j, i}})), theorem);
-    return theorem;
-  }
-};
-/// The motion as one straight line, which each collision turns.
+/// The motion as straight lines, which each collision turns.
 void line(Book& book) {
   const Known here;
-  Lines lines;
-  Exprs& sequences = lines.velocities;
+  const Exprs with_distances = any_start() + Exprs{d_A, d_B};
+  const auto by_distances = [](Expr t) { return substitute(t, start_with(d_A, d_B)); };
+  const auto twice = [](const Theorem& t) { return parts({t, of_distances(t)}); };
+  Theorems lines;
   for (const std::string body : {"A", "B", "C"}) {
-    sequences.push_back(any_start.velocity(body, j));
-    const Exprs params = any_start.params + Exprs{d_A, d_B, tau, j};
-    const Expr value = substitute(sequences.back(), on_the_line(tau));
-    lines.named.push_back(defined("any_x_" + body, params, value, of_wedge({le(0, j)})));
+    const Expr v = any_velocity(body, j);
+    lines.push_back(defined("any_x_" + body, with_distances + Exprs{tau, j},
+                            tau * v - by_distances(v), of_wedge({le(0, j)})));
   }
-  const auto three_times = [&](const Theorem& theorem) {
-    return parts({theorem, of_distances(theorem), at(theorem, on_the_line(tau))});
-  };
-  Theorems next = three_times(book["any_start.next"]);
-  for (Theorem& law : next) law = at(law);
-  const auto all = [&] {
-    Exprs claims;
-    for (Expr v : sequences) claims.push_back(is_linear(v));
-    return logic_and(claims);
-  }();
-  const Theorem linear_in_start = by_induction(j, all, three_times(book["any_start.start"]), next);
-  book.show(
-      "linear",
-      "Velocities are linear in those of the start, and so are places: with distances d_A and d_B "
-      "at the start, after j collisions the bodies are on these lines at a time tau, seen from "
-      "B's first place,",
-      lines.in_places(linear_in_start, tau));
-  const Theorem speeds = equation(
-      is_linear(approach_of(j)), three_times(book["any_start.closing"]) + parts({linear_in_start}));
-  const Theorem going = assume(lt(0, approach_of(j)));
+  book.show("linear",
+            "Places are lines in time, and a line begins where it would be a velocity for the "
+            "distances d_A and d_B at the start in place of V and W: after j collisions the bodies "
+            "are at a time tau, seen from B's first place, at",
+            both(lines));
+  const Theorem going = assume(lt(0, nearing(j)));
   know(going);
-  const Theorem when = book.name("instant", any_start.params + Exprs{d_A, d_B, j},
-                                 substitute(approach_of(j), start_with(d_A, d_B)) / approach_of(j),
-                                 of_wedge({le(0, j), lt(0, e), going.conclusion()}),
-                                 "and collision j takes place at the time");
+  const Theorem when =
+      book.name("instant", with_distances + Exprs{j}, by_distances(nearing(j)) / nearing(j),
+                of_wedge({le(0, j), lt(0, e), going.conclusion()}),
+                "and collision j takes place at the time");
   const Expr T = left(when);
-  const Theorem meets =
-      equation(substitute(left(speeds), {{tau, T}}), 0, {at(speeds, {{tau, T}}), when});
-  const auto there = [&](const Theorem& theorem) { return at(theorem, on_the_line(T)); };
+  const Theorem meets = equation(T * nearing(j), by_distances(nearing(j)), {when});
   const auto place = [&](std::size_t i, Expr index) {
-    return substitute(substitute(sequences[i], {{j, index}}), on_the_line(T));
+    return substitute(left(lines[i]), {{tau, T}, {j, index}});
   };
+  Theorems there;
+  for (const Theorem& is : lines)
+    for (Expr i : {j, j + 1}) there.push_back(at(is, {{tau, T}, {j, i}}));
+  const auto with = [&](const char* id) { return twice(book[std::string("any_start.") + id]); };
   const Expr A = place(0, j), B = place(1, j), C = place(2, j);
-  const Theorem speed = there(book["any_start.closing"]);
-  const Expr gap = is_P(j) * (C - A) + is_Q(j) * (B - C);
+  const Expr ahead = by_distances(nearing(j)) - T * nearing(j);
   book.show("met", "where its bodies are at one place,",
-            lines.in_places(linear(eq(gap, 0), {speed, meets}), T));
-  const auto none = [&](Expr is_one, Expr between) {
-    const Expr part = is_one * left(speed);
-    return chain(equation(is_one * between, part, {speed, book["motion.turn_squared"]}),
-                 equation(part, 0, {meets}));
-  };
-  Theorems rules{solved_for(turn(j) * A, none(is_P(j), A - C)),
-                 solved_for(turn(j) * B, none(is_Q(j), C - B))};
-  for (const Theorem& law : parts({there(book["any_start.next"])})) rules.push_back(at(law));
+            chain(equation(is_P(j) * (C - A) + is_Q(j) * (B - C), ahead, there + with("closing")),
+                  equation(ahead, 0, {meets})));
   Theorems same;
-  for (std::size_t i = 0; i < 3; ++i) same.push_back(equation(place(i, j + 1), place(i, j), rules));
-  book.show("goes_on", "from which the next lines go on:", lines.in_places(both(same), T));
+  for (std::size_t i = 0; i < 3; ++i)
+    same.push_back(
+        equation(place(i, j + 1), place(i, j), there + with("changes") + Theorems{meets}));
+  book.show("goes_on", "from which the next lines go on:", both(same));
 
   const Theorem sign = book["any_start.takes_place"], speed_is = book["any_start.speed"];
   know(tautology(lt(0, swing(j)), {sign, going}));
-  Theorems facts{when, at(when, {{j, j + 1}}), part(at(book["chebyshev.last"], {{x, kappa()}}), 1),
+  Theorems facts{when, part(at(book["chebyshev.last"], {{x, kappa()}}), 1),
                  solved_for(power(U(j), 2), at(book["chebyshev.neighbours"], {{x, kappa()}}))};
-  for (const Theorem& is : {speed_is, at(speed_is, {{j, j + 1}})})
-    facts = facts + Theorems{is, of_distances(is)};
-  const Theorem A_B = there(book["any_start.A_B"]);
-  const Expr D = place(1, j + 1) - place(0, j + 1), first_in_order = V * d_B - W * d_A;
+  for (const Theorem& is : {speed_is, at(speed_is, {{j, j + 1}})}) facts = facts + twice(is);
+  for (const Theorem& is : with("A_B")) facts.push_back(solved_for(left(is).arg(0), is));
   know(at(book["wedge.signs"], {{j, j + 1}}));
   book.show("apart", "The blocks are then so far apart:",
-            lines.in_places(
-                equation(D, root_power(j + 1) * side(j + 1) * r_e() * first_in_order / swing(j),
-                         facts + Theorems{solved_for(place(0, j + 1), A_B), meets,
-                                          at(speeds, {{j, j + 1}, {tau, T}})}),
-                T));
-  const Theorem next_one = assume(lt(0, approach_of(j + 1)));
-  know(next_one);
-  know(tautology(lt(0, swing(j + 1)), {at(sign, {{j, j + 1}}), next_one}));
-  const Expr later = r_e() * first_in_order / (swing(j) * swing(j + 1));
-  book.show("later", "Collisions follow each other after",
-            equation(substitute(T, {{j, j + 1}}) - T, later, facts));
+            equation(place(1, j + 1) - place(0, j + 1),
+                     root_power(j + 1) * side(j + 1) * r_e() * (V * d_B - W * d_A) / swing(j),
+                     there + facts));
 }
 /// Where kappa is 1 or more, and B does not run away too fast.
 void collapse_from_any_start(Book& book) {
@@ -165,7 +139,7 @@ void collapse_from_any_start(Book& book) {
       });
   const Exprs endless = of_wedge({lt(0, e), le(1, kappa())});
   const Theorem speed =
-      book.define("end_speed", any_start.params, at_end, endless, "Where kappa is 1 or more, with");
+      book.define("end_speed", any_start(), at_end, endless, "Where kappa is 1 or more, with");
   // y_e (swing - r U) = (V - r) y_e^(j+1) + (end_speed - r) U_last
   const Expr r = real("r");
   const Theorems least{assume(lt(0, r)), assume(le(r, V)), assume(le(r, left(speed)))};
@@ -182,11 +156,11 @@ void collapse_from_any_start(Book& book) {
   know(rising);
   const Theorem closes =
       book.show("never_ends", "so that the collisions never end:",
-                tautology(lt(0, approach_of(j)), {book["any_start.takes_place"], rising}));
+                tautology(lt(0, nearing(j)), {book["any_start.takes_place"], rising}));
   know(closes);
   const Exprs ending = endless + Exprs{lt(0, left(speed))};
   const auto name = [&](const char* symbol, Expr value, const char* words) {
-    return book.define(symbol, any_start.params + Exprs{d_A, d_B}, value, ending, words);
+    return book.define(symbol, any_start() + Exprs{d_A, d_B}, value, ending, words);
   };
   know(linear(lt(0, left(speed)), least));
   const Theorem time = name("t_any", (d_A + d_B * r_e() * y_e) / left(speed), "There is a time");
@@ -212,27 +186,19 @@ void collapse_from_any_start(Book& book) {
   const auto centre = [&](Expr A, Expr C) { return w_B * (M_A * A + M_C * C) / mass_of_all(); };
   name("x_any", centre((V + W) * left(time) - d_A - d_B, W * left(time) - d_B),
        "with the ball between them: at the centre of mass, or at the wall,");
-  book.define("v_any", any_start.params, centre(V + W, W), of_wedge({}), "which moves with");
+  book.define("v_any", any_start(), centre(V + W, W), of_wedge({}), "which moves with");
 }
 }  // namespace
 
 void from_any_start(Book& book) {
   book.chapter("any_start", "Three bodies from any start", of_wedge({le(0, j), lt(0, e)}));
-  sequences(book, any_start,
-            "From another start A approaches the ball with V and the ball B with W, seen from B:");
+  sequences(book);
   know(at(book["wedge.signs"], {{j, 0}}));
   const Theorem r_e_is =
       book.define("r_e", masses_and_e(), r_B() / (r_A() * sqrt(e)), of_wedge({lt(0, e)}),
                   "With a number by which the ball's approach to B counts,");
   know(positive(r_e_is));
-  const Theorem speed = book.show(
-      "speed", "collision j has the approach speed",
-      approach_speeds(book, any_start, [](Expr i) { return root_power(i) * side(i) * swing(i); },
-                      {book["wedge.kappa"], r_e_is}));
-  know(book["wedge.signs"]);
-  book.show(
-      "takes_place", "and takes place if and only if a sum is positive:",
-      same_sign(iff(lt(0, approach_of(j)), lt(0, swing(j))), root_power(j) * side(j), {speed}));
+  closed_form(book, r_e_is);
   number(book);
   line(book);
   collapse_from_any_start(book);

@@ -54,20 +54,17 @@ void unfolded(Book& book) {
       "At collision j the scaled places have, from where all three would meet, the distance");
   const auto radius = [&](Expr i) { return substitute(left(radius_is), {{j, i}}); };
 
-  const Expr t = turn(j), A = here(at_collision("x_A", j)), B = here(at_collision("x_B", j)),
+  const Expr A = here(at_collision("x_A", j)), B = here(at_collision("x_B", j)),
              C = here(at_collision("x_C", j));
-  const Theorem square = book["motion.turn_squared"];
-  const Theorem ball = solved_for(t * C, lossless(book, "places.met"));
-  const Theorem C_is = arithmetic(eq(C, (A + B + t * A - t * B) / 2),
-                                  {.equations = {{t, ball}, {(A + B) / 2 - C, square}}});
   book.show(
       "radius", "whose square, with the masses, is a sum over the pairs of bodies:",
       equation(all * power(radius(j), 2),
                M_A * power(A - B, 2) + w_B * M_A * M_C * power(A - C, 2) + M_C * power(B - C, 2),
-               squared_shares(book) + Theorems{radius_is, C_is, square}));
+               squared_shares(book) +
+                   Theorems{radius_is, lossless(book, "places.ball"), book["cycle.turn_squared"]}));
 
   const Theorem takes_place =
-      tautology(lt(0, here(U(j))), {lossless(book, "wedge.takes_place"), assume(going)});
+      tautology(lt(0, here(U(j))), {lossless(book, "motion.takes_place"), assume(going)});
   const Expr sine = sin((j + 1) * h);
   know(takes_place);
   const Theorem blocks = lossless(book, "places.distance");

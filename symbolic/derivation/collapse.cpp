@@ -18,28 +18,8 @@ void threshold(Book& book) {
   // K - 1 = (kappa - 1)(kappa + 1)
   const Expr below = lt(kappa(), 1), K_below = lt(K, 1);
   book.show(
-      "threshold", "so kappa is below 1, and the collisions end, if and only if",
+      "threshold", "so kappa is below 1, where collisions end, if and only if",
       tautology(iff(below, K_below), {same_sign(iff(K_below, below), kappa() + 1, {square})}));
-}
-/// One statement for both: that all collisions take place, and that K is 1 or more.
-void endless(Book& book) {
-  const Expr K = left(book["collapse.def_K"]), i = integer("i");
-  const auto from_K = [&](Expr of_kappa, Expr of_K) {
-    return tautology(of_kappa, {book["collapse.threshold"], assume(of_K)});
-  };
-  const Theorem below = from_K(lt(kappa(), 1), lt(K, 1)), above = from_K(le(1, kappa()), le(1, K));
-  const Theorem every =
-      generalize(i, given(le(0, i), [&](const Theorem& from_0) {
-                   return cut(above, at(book["wedge.never_ends"], {{j, i}}, {from_0}));
-                 }));
-  const Theorem number = cut(below, book["wedge.N"]), last = cut(below, book["wedge.happens"]);
-  const Expr N = left(number);
-  const Theorem turns = cut(below, positive(right(number).arg(0).arg(0), {book["wedge.acute"]}));
-  const Theorem another = tautology(lt(0, closing(N)), {specialize(assume(every.conclusion()), N),
-                                                        linear(le(0, N), {number, turns})});
-  const Theorem ends = refute(lt(K, 1), linear(lt(0, 0), {another, part(last, 1)}));
-  book.show("endless", "The collisions never end if and only if K is 1 or more:",
-            equivalent(tautology(le(1, K), {ends}), every));
 }
 /// What K is for a block of mass M_B, and for a wall.
 void special_cases(Book& book) {
@@ -54,14 +34,14 @@ void special_cases(Book& book) {
            over * M_B / (below * (M_B + M_C)));
   instance("wall", "and for a wall", 0, over / below);
 }
-/// Where they never end, a number that quotients of neighbouring polynomials stay above.
+/// Where kappa is 1 or more, a number that quotients of neighbouring polynomials stay above.
 void neighbours(Book& book) {
   const Theorem from_1 = assume(le(1, kappa()));
   const Expr inside = power(kappa(), 2) - 1, root = sqrt(inside), sum = kappa() + root;
   know(linear(le(0, inside), {times(from_1, linear(lt(0, kappa() + 1), {from_1}))}));
   const Theorem definition =
       book.name("y_e", masses_and_e(), kappa() - root, of_wedge({lt(0, e), le(1, kappa())}),
-                "Where they never end, with");
+                "Where kappa is 1 or more, with");
   const Expr y_e = left(definition);
   const Theorem root_sign = at("root not negative", {{x, inside}});
   know(linear(lt(0, sum), {from_1, root_sign}));
@@ -116,10 +96,9 @@ Theorem powers_of(const Book& book, const Theorem& at_most_1) {
 }
 
 void collapse(Book& book) {
-  book.chapter("collapse", "Collapse", of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)}));
+  book.chapter("collapse", "Collapse", of_wedge({le(0, j), lt(0, e)}));
   know(at(book["wedge.signs"], {{j, 0}}));
   threshold(book);
-  endless(book);
   special_cases(book);
   neighbours(book);
   equal_blocks(book);

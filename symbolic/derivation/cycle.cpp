@@ -35,6 +35,9 @@ Sequence sequence(Book& book, const Collision& collide) {
             "Collisions are counted from 0 and alternate between A and B. Whose turn it is, 1 for "
             "A and -1 for B:",
             both(whose_turn));
+  book.show("turn_squared", "As a turn is 1 or -1,",
+            by_induction(j, eq(power(turn(j), 2), 1), {whose_turn[0]},
+                         {at(whose_turn[1], {}, {assume(le(0, j))})}));
   book.show("start", "At the start A moves with V; B and C are at rest:",
             both({motion[0], motion[1], motion[2]}));
   book.show("next",

@@ -38,7 +38,7 @@ void digits_of_pi(Book& book) {
   const Theorem angle = rewrite(tangent, here("wedge.h_e"));
   book.show("angle_T", "With masses T^2 and 1, and nothing lost, the angle has the tangent 1/T,",
             angle);
-  const Theorem number = here("wedge.N");
+  const Theorem number = here("motion.N");
   const Expr h = left(angle), N = left(number);
   know(positive(angle));
   const Theorem at_most_4 = pi_at_most_4(), near = at("atan bounds", {{x, 1 / T}});

@@ -44,7 +44,7 @@ void encounters(Book& book) {
   const Theorem speed =
       book.show("speed", "In the paper's case the approach speeds are those that we know,",
                 equation(in_paper(closing(j)), approach(j),
-                         rules + Theorems{in_paper(book["wedge.speed"]), book["counting.speed"]}));
+                         rules + Theorems{in_paper(book["motion.speed"]), book["counting.speed"]}));
 
   const Theorem going = at(part(book["counting.happens"], 0));
   know(book.show("going", "and positive:", linear(lt(0, in_paper(closing(j))), {going, speed})));

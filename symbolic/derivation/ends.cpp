@@ -9,7 +9,7 @@ void ends(Book& book) {
   const Exprs params{M_A, w_B, M_C, e, V};
   const Expr N = fun("N_e", params), h = fun("h_e", masses_and_e());
   know(book["wedge.acute"]);
-  const Theorem number = book["wedge.N"];
+  const Theorem number = book["motion.N"];
   know(scaled(le(1, N), lt(h, pi() / 2), 1 / h, {number}));
   for (const Expr i : {N - 1, N}) know(at(book["wedge.signs"], {{j, i}}));
 
@@ -36,7 +36,7 @@ void ends(Book& book) {
   const Theorems from_last{after(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1)),
                            after(part(book["cycle.turn"], 1))};
   const auto approach_is = [&](Expr i, Expr angle, Expr value, const Theorem& definition) {
-    const Theorem speed = at(book["wedge.speed_sine"], {{j, i}});
+    const Theorem speed = at(book["motion.speed_sine"], {{j, i}});
     const Theorem turned_by = linear(eq((i + 1) * h, pi() - angle), {rest_is});
     return equation(eq(closing(i), value),
                     Theorems{rewrite(turned_by, speed), definition} + from_last, {pi(), rest, h});
@@ -50,18 +50,19 @@ void ends(Book& book) {
   book.show("last", "for these are the approach speeds then:",
             both({linear(lt(0, parting)), linear(le(0, opening)), last, next}));
 
-  const Theorem square = at(book["motion.turn_squared"], {{j, N}});
+  const Theorem square = at(book["cycle.turn_squared"], {{j, N}});
   const Expr t = turn(N), A = velocity("A", N), B = velocity("B", N), C = velocity("C", N);
   const Expr C_B = is_Q(N) * opening + is_P(N) * parting;
+  const auto of_last = [&](const char* id) { return after(from_rest(book, book[id])); };
   const auto beyond_B = [&](Expr v, const char* id, Expr value) {
-    return equation(v, B + value, {solved_for(v, after(book[id])), last, next});
+    return equation(v, B + value, {solved_for(v, of_last(id)), last, next});
   };
-  const Theorem A_is = beyond_B(A, "motion.A_B", -(opening + parting));
-  const Theorem C_is = beyond_B(C, "motion.C_B", -C_B);
+  const Theorem A_is = beyond_B(A, "any_start.A_B", -(opening + parting));
+  const Theorem C_is = beyond_B(C, "any_start.C_B", -C_B);
   const Expr mass = mass_of_all();
   know(positive(mass));
   const Theorem B_is = equation(B, w_B * (M_A * (V + opening + parting) + M_C * C_B) / mass,
-                                {after(book["motion.B_velocity"]), last, next});
+                                {of_last("any_start.B_velocity"), last, next});
   book.show("B", "So B has at the end", B_is);
   book.show("A_and_C", "and A and the ball have", both({A_is, C_is}));
   for (const Expr& one : {1 + t, 1 - t}) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Collisions that lose energy, and the motion of three bodies of any masses: how fast the two of
-// each collision approach before it.
+// Collisions that lose energy, and the motion of three bodies of any masses from any start: how
+// fast the two of each collision approach before it.
+#include "derivation/symbols.hpp"
 #include "derivation/wedge.hpp"
 
 namespace derivation {
@@ -53,79 +54,73 @@ void one_collision(Book& book) {
             }));
 }
 /// The approach speed before collision j, and its recurrence.
-void recurrence(Book& book, const Motion& of, const Theorems& motion) {
-  const auto velocity = [&](const char* body, Expr i) { return of.velocity(body, i); };
-  const auto closing = [&](Expr i) { return of.closing(i); };
+void recurrence(Book& book, const Theorems& motion) {
   const Theorems turns = parts({book["cycle.turn"]});
-  const Theorem definition = defined(of.approach, of.params + Exprs{j},
-                                     is_P(j) * (velocity("A", j) - velocity("C", j)) +
-                                         is_Q(j) * (velocity("C", j) - velocity("B", j)),
-                                     of_wedge({le(0, j)}));
-  book.show("closing", "Before collision j its two bodies approach with the speed", definition);
-  const auto at_0 = [&](const Theorem& t) { return at(t, {{j, 0}}); };
-  const Theorem first =
-      book.show("first", "at first",
-                equation(closing(0), V, {at_0(definition), turns[0], motion[0], motion[2]}));
-  const Theorem turn_after = at(turns[1]);
-  const Theorem square =
-      book.show("turn_squared", "As a turn is 1 or -1,",
-                by_induction(j, eq(power(turn(j), 2), 1), {turns[0]}, {turn_after}));
-  Theorems step{definition, turn_after, square};
+  const Theorem square = book["cycle.turn_squared"];
+  const Theorem definition =
+      book.name("nearing", any_start() + Exprs{j},
+                is_P(j) * (any_velocity("A", j) - any_velocity("C", j)) +
+                    is_Q(j) * (any_velocity("C", j) - any_velocity("B", j)),
+                of_wedge({le(0, j)}), "Before collision j its two bodies approach with the speed",
+                "", "closing");
+  Theorems step{definition, at(turns[1]), square};
   for (std::size_t i = 3; i < 6; ++i) step.push_back(at(motion[i]));
+  const Expr after = j + 1, from_P = (1 + e) / (M_A + M_C), from_Q = (1 + e) / (1 + w_B * M_C);
+  Theorems changes;
+  for (const auto& [body, share] :
+       {std::pair{"A", -(is_P(j) * (M_C * from_P))}, std::pair{"B", is_Q(j) * (w_B * M_C * from_Q)},
+        std::pair{"C", is_P(j) * (M_A * from_P) - is_Q(j) * from_Q}})
+    changes.push_back(
+        equation(any_velocity(body, after), any_velocity(body, j) + share * nearing(j), step));
+  book.show("changes", "which changes velocities by shares of it:", both(changes));
+  const Theorem closes = at(definition, {{j, after}});
   const auto other = [&](Expr i) {  // of the two that collide next
-    return is_Q(i) * (velocity("A", i) - velocity("C", i)) +
-           is_P(i) * (velocity("C", i) - velocity("B", i));
+    return is_Q(i) * (any_velocity("A", i) - any_velocity("C", i)) +
+           is_P(i) * (any_velocity("C", i) - any_velocity("B", i));
   };
+  const Theorem parting = book.show("parting", "They part e times as fast as they approached:",
+                                    equation(other(after), -e * nearing(j), step));
   const auto share = [](Expr i) {
     return is_P(i) * (M_A / (M_A + M_C)) + is_Q(i) * (1 / (1 + w_B * M_C));
   };
-  const Theorem parting = book.show("parting", "they part e times as fast as they approached:",
-                                    equation(other(j + 1), -e * closing(j), step));
   const Theorem gain =
-      book.show("gain", "and the ball approaches the third body faster by the rest:",
-                equation(closing(j + 1), other(j) + (1 + e) * share(j) * closing(j),
-                         step + Theorems{at(definition, {{j, j + 1}})}));
-  const Theorem start = at(gain, {{j, 0}});
-  const Expr gained = (1 + e) * (M_A / (M_A + M_C)) * V, ball = of.start[2];
-  const Expr second = ball == Expr(0) ? gained : ball + gained;
-  book.show(
-      "second", "The second speed is",
-      restate(eq(closing(1), second), equation(closing(Expr(0) + Expr(1)), second,
-                                               {start, first, turns[0], motion[1], motion[2]})));
-  const Expr after = j + 1;
+      equation(nearing(after), other(j) + (1 + e) * share(j) * nearing(j), step + Theorems{closes});
+  const Theorems start{motion[0], motion[1], motion[2], turns[0], at(definition, {{j, 0}})};
+  const Theorem second = equation(nearing(Expr(0) + 1), W + (1 + e) * (M_A / (M_A + M_C)) * V,
+                                  Theorems{at(gain, {{j, 0}})} + start);
+  book.show("first", "The first two speeds are",
+            both({equation(nearing(0), V, start), canonical_form(second)}));
   const auto carried = [&](Expr i) {  // the momentum, times w_B
-    return w_B * (M_A * velocity("A", i) + M_C * velocity("C", i)) + velocity("B", i);
+    return w_B * (M_A * any_velocity("A", i) + M_C * any_velocity("C", i)) + any_velocity("B", i);
   };
   const Theorem momentum =
       book.show("momentum", "Momentum is kept, if there is no wall:",
-                by_induction(j, eq(carried(j), of.momentum),
-                             equation(carried(0), of.momentum, {motion[0], motion[1], motion[2]}),
-                             [&](const Theorem& now) {
-                               return chain(equation(carried(after), carried(j), step), now);
+                by_induction(j, eq(carried(j), any_momentum()),
+                             equation(carried(0), any_momentum(), start), [&](const Theorem& now) {
+                               return chain(equation(carried(after), carried(j), changes), now);
                              }));
   // The two speeds after collision j, by the one before it and the one before the next.
-  const Theorem closes = at(definition, {{j, after}});
-  const Theorem parts_with = solved_for(e * closing(j), parting);
-  const Expr A = velocity("A", after), B = velocity("B", after), C = velocity("C", after);
-  const Expr of_B = is_Q(after) * closing(after) - is_P(after) * (e * closing(j));
-  const Theorem A_B =
-      book.show("A_B", "After collision j the velocities of A and B differ by",
-                linear(eq(A - B, closing(after) - e * closing(j)), {closes, parting}));
+  const Theorem parts_with = solved_for(e * nearing(j), parting);
+  const Expr A = any_velocity("A", after), B = any_velocity("B", after),
+             C = any_velocity("C", after);
+  const Expr of_A = nearing(after) - e * nearing(j), all = mass_of_all();
+  const Expr of_B = is_Q(after) * nearing(after) - is_P(after) * (e * nearing(j));
+  const Theorem A_B = book.show("A_B", "After collision j the velocities of A and B differ by",
+                                linear(eq(A - B, of_A), {closes, parting}));
   const Theorem C_B =
       book.show("C_B", "those of C and B by",
                 equation(C - B, of_B, {closes, parts_with, at(square, {{j, after}})}));
-  const Expr of_A = closing(after) - e * closing(j), all = mass_of_all();
-  const Expr given_off = of.momentum - w_B * (M_A * of_A + M_C * of_B);
+  const Expr given_off = any_momentum() - w_B * (M_A * of_A + M_C * of_B);
   const Theorem of_one = rewrite(solved_for(A, A_B), at(momentum, {{j, after}}));
   const Theorem whole = linear(eq(B * all, given_off), {rewrite(solved_for(C, C_B), of_one)});
   book.show("B_velocity", "and B has", divided(B, given_off / all, {all}, whole));
   book.show("recurrence", "and each one follows from two before:",
-            linear(eq(closing(j + 2), (1 + e) * share(j + 1) * closing(j + 1) - e * closing(j)),
-                   {at(gain, {{j, j + 1}}), parting}));
+            linear(eq(nearing(j + 2), (1 + e) * share(after) * nearing(after) - e * nearing(j)),
+                   {at(gain, {{j, after}}), parting}));
 }
 }  // namespace
 
-void sequences(Book& book, const Motion& of, const std::string& start) {
+void sequences(Book& book) {
   const Exprs of_masses = solved(momentum_kept), of_inverse = solved(shared);
   const auto of_A = [&](std::size_t body, Expr u, Expr other) {
     return substitute(of_masses[body], {{M_1, M_A}, {M_2, M_C}, {u_1, u}, {u_2, other}});
@@ -139,22 +134,19 @@ void sequences(Book& book, const Motion& of, const std::string& start) {
     return Exprs{P * of_A(0, A, C) + Q * A, P * B + Q * of_B(1, C, B),
                  P * of_A(1, A, C) + Q * of_B(0, C, B)};
   };
-  const auto name = [&](const char* body) { return of.prefix + body; };
-  const Theorems motion = defined_by_recursion({name("A"), name("B"), name("C")}, of.params, j,
-                                               of_wedge({le(0, j)}), of.start, next);
-  book.show("start", start, both({motion[0], motion[1], motion[2]}));
+  const Theorems motion = defined_by_recursion({"any_A", "any_B", "any_C"}, any_start(), j,
+                                               of_wedge({le(0, j)}), {V + W, 0, W}, next);
+  book.show("start",
+            "At the start A approaches the ball with V and the ball B with W, seen from B; w_B is "
+            "1/M_B for a block and 0 for a wall:",
+            both({motion[0], motion[1], motion[2]}));
   book.show("next", "Collision j is one of A and C, or of C and B, by turns:",
             both({motion[3], motion[4], motion[5]}));
-  recurrence(book, of, motion);
+  recurrence(book, motion);
 }
 void restitution(Book& book) {
   book.chapter("restitution", "Any masses, and collisions that lose energy",
                {lt(0, M_1), lt(0, M_2)});
   one_collision(book);
-
-  book.chapter("motion", "Three bodies of any masses", of_wedge({le(0, j)}));
-  sequences(book, at_rest,
-            "At the start A moves with V, the ball C and B are at rest; w_B is 1/M_B for a block "
-            "and 0 for a wall:");
 }
 }  // namespace derivation

@@ -71,7 +71,7 @@ Theorem angle(Book& book, const Theorem& q_is) {
                                  rewrite(inside, cut(below, book["wedge.h_e"])));
   know(positive(h_is));
   know(linear(lt(h_e(), pi()), {h_is}));
-  book.show("N_e", "and the number of all collisions", cut(below, book["wedge.N"]));
+  book.show("N_e", "and the number of all collisions", cut(below, book["motion.N"]));
   return below;
 }
 /// Speeds, weighed as the ball's approach to B counts.
@@ -81,41 +81,43 @@ Expr weighed(Expr of_A, Expr of_B, Expr sine, Expr sine_before) {
 /// Places at a time tau after collision j, seen from B's first one; velocities, where no distance
 /// is given and tau is 1.
 void places(const Forms& forms) {
-  Book& book = forms.book;
-  const Expr of_A = V * tau - d_A, of_B = W * tau - d_B;
-  const Substitution on_the_line = start_with(of_A, of_B);
-  const auto there = [&](const char* id) { return at(book[id], on_the_line); };
-  const Theorem turn_next = at(part(book["cycle.turn"], 1));
-  const Theorem pow_next = at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1));
-  const auto name = [&](const char* symbol, Expr value) {
-    return forms.with({V, W, d_A, d_B, tau}, symbol, substitute(value, on_the_line), forms.domain);
+  const Substitution distances = start_with(d_A, d_B);
+  const auto name = [&](const char* symbol, Expr v) {
+    return forms.with({V, W, d_A, d_B, tau}, symbol, tau * v - substitute(v, distances),
+                      forms.domain);
   };
-  const Theorem before = name("before", any_start.closing(j));
-  const Theorem after = name("after", any_start.closing(j + 1));
-  const Expr per = root_power(j) / forms.step_sine(), now_sine = forms("now_sine");
-  const Theorem speed = there("any_start.speed");
+  const auto twice = [&](const Theorem& t) { return Theorems{t, at(t, distances)}; };
+  const auto velocity = [&](const char* body, const char* id) {
+    const Theorem is = forms.book[id];
+    return twice(solved_for(any_velocity(body, j + 1), is));
+  };
+  const Theorem turn_next = at(part(forms.book["cycle.turn"], 1));
+  const Theorem pow_next = at(part(at(forms.book["multiples.pow"], {{y, sqrt(e)}}), 1));
+  const Theorem speed = forms.book["any_start.speed"];
+  const Theorem before = name("before", nearing(j)), after = name("after", nearing(j + 1));
+  const Expr of_A = V * tau - d_A, of_B = W * tau - d_B, now_sine = forms("now_sine");
+  const Expr per = root_power(j) / forms.step_sine();
   forms.show(before, "For the places at a time tau after collision j let",
-             per * forms("now_side") * weighed(of_A, of_B, now_sine, forms("last_sine")), {speed});
+             per * forms("now_side") * weighed(of_A, of_B, now_sine, forms("last_sine")),
+             twice(speed));
   forms.show(
       after, "and",
       sqrt(e) * per * forms("later_side") * weighed(of_A, of_B, forms("later_sine"), now_sine),
-      {at(speed, {{j, j + 1}}), turn_next, pow_next});
-
+      twice(at(speed, {{j, j + 1}})) + Theorems{turn_next, pow_next});
   const Expr v = left(after), u = e * left(before), of_C = is_P(j) * v - is_Q(j) * u;
-  const auto named = [&](const char* id) {
-    return rewrite(turned(before), rewrite(turned(after), rewrite(turn_next, there(id))));
+  const Expr momentum = substitute(any_momentum(), start_with(of_A, of_B));
+  Theorems rules{turn_next, before, after};
+  const auto show = [&](const char* body, const char* words, Expr form, const char* id) {
+    const Theorem is = name((body + std::string("_at")).c_str(), any_velocity(body, j + 1));
+    forms.show(is, words, form, velocity(body, id) + rules);
+    rules.push_back(is);
+    return left(is);
   };
-  const Theorem B = name("B_at", any_start.velocity("B", j + 1));
-  const Expr momentum = substitute(any_start.momentum, on_the_line);
-  forms.show(B, "so that B is at", (momentum - w_B * (M_A * (v - u) + M_C * of_C)) / mass_of_all(),
-             {named("any_start.B_velocity")});
-  const auto against_B = [&](const char* symbol, const char* body, const char* words,
-                             Expr difference, const char* id) {
-    const Theorem is = name(symbol, any_start.velocity(body, j + 1));
-    book.show(symbol, words, linear(eq(left(is), left(B) + difference), {is, B, named(id)}));
-  };
-  against_B("A_at", "A", "A at", v - u, "any_start.A_B");
-  against_B("C_at", "C", "and the ball at", of_C, "any_start.C_B");
+  const Expr B =
+      show("B", "so that B is at", (momentum - w_B * (M_A * (v - u) + M_C * of_C)) / mass_of_all(),
+           "any_start.B_velocity");
+  show("A", "A at", B + (v - u), "any_start.A_B");
+  show("C", "and the ball at", B + of_C, "any_start.C_B");
 }
 /// How many collisions there are, and when each of them is.
 void count_and_time(const Forms& forms) {
@@ -134,11 +136,10 @@ void count_and_time(const Forms& forms) {
   book.show("def_reach",
             "Collision j takes place where this is positive:", under({lt(0, q_e())}, reach));
   know(assume(lt(0, left(reach))));
-  const Theorem speed =
-      equation(any_start.closing(j), root_power(j) * side(j) * (left(reach) / step_sine),
-               forms.shared + Theorems{book["any_start.speed"], reach});
+  const Theorem speed = equation(nearing(j), root_power(j) * side(j) * (left(reach) / step_sine),
+                                 forms.shared + Theorems{book["any_start.speed"], reach});
   know(positive(speed));
-  const Theorem going = linear(lt(0, any_start.closing(j)));
+  const Theorem going = linear(lt(0, nearing(j)));
   const Theorem when = cut(going, book["any_start.instant"]);
   const Theorem of_distances = at(book["any_start.speed"], start_with(d_A, d_B));
   const Theorem moment =

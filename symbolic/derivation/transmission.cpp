@@ -17,7 +17,7 @@ void energy(Book& book) {
                                  "Twice the kinetic energy after j collisions, without that of the "
                                  "centre of mass, by the pairs of bodies:");
   const auto energy = [&](Expr i) { return substitute(left(is), {{j, i}}); };
-  Theorems step{is, at(is, {{j, j + 1}}), book["motion.closing"], book["motion.turn_squared"]};
+  Theorems step{is, at(is, {{j, j + 1}}), book["motion.closing"], book["cycle.turn_squared"]};
   for (const Theorem& next : parts({book["motion.next"]})) step.push_back(at(next));
   const Expr gone = energy(j) - energy(j + 1);
   const Expr mass = is_P(j) * (M_A * M_C / (M_A + M_C)) + is_Q(j) * (M_C / (1 + w_B * M_C));
@@ -29,7 +29,7 @@ void energy(Book& book) {
   const Expr square = power(root_power(j), 2) * power(U(j), 2);
   const Expr unit = (1 - power(e, 2)) * (M_C * power(r_A(), 2) * power(V, 2));
   const Theorems rules =
-      squared_shares(book) + Theorems{book["wedge.speed"], book["motion.turn_squared"]};
+      squared_shares(book) + Theorems{book["motion.speed"], book["cycle.turn_squared"]};
   const Theorem alike = book.show("alike", "which is alike for both kinds:",
                                   chain(lost, equation(right(lost), unit * square, rules)));
   const Exprs domain = of_wedge({le(0, j), lt(0, e)});

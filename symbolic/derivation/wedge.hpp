@@ -20,37 +20,30 @@ inline Exprs of_wedge(const Exprs& more) {
 }
 /// The mass of all three over that of B, 1 for a wall.
 inline Expr mass_of_all() { return 1 + w_B * (M_A + M_C); }
-/// Three bodies that move from some start: how their sequences are called.
-struct Motion {
-  std::string chapter, prefix, approach;
-  Exprs params;
-  Exprs start;    ///< velocities of A, B and C
-  Expr momentum;  ///< times w_B
-
-  /// Of "A", "B" or "C" after i collisions.
-  Expr velocity(const std::string& body, Expr i) const {
-    return fun(prefix + body, params + Exprs{i});
-  }
-  /// The speed with which the two bodies of collision i approach before it.
-  Expr closing(Expr i) const { return fun(approach, params + Exprs{i}); }
-};
-/// The ball and B at rest.
-inline const Motion at_rest{"motion",  "v_",       "closing", {M_A, w_B, M_C, e, V},
-                            {V, 0, 0}, w_B* M_A* V};
-/// C approaches B with W, and B is at rest.
-inline const Motion any_start{"any_start",   "any_",
-                              "nearing",     {M_A, w_B, M_C, e, V, W},
-                              {V + W, 0, W}, w_B*(M_A*(V + W) + M_C * W)};
+/// C approaches B with W and A approaches C with V; B is at rest.
+inline Exprs any_start() { return {M_A, w_B, M_C, e, V, W}; }
 inline Substitution start_with(Expr of_A, Expr of_B) { return {{V, of_A}, {W, of_B}}; }
-inline Expr velocity(const std::string& body, Expr i) { return at_rest.velocity(body, i); }
-inline Expr closing(Expr i) { return at_rest.closing(i); }
+/// The velocity of "A", "B" or "C" after i collisions, and the approach speed before collision i.
+inline Expr any_velocity(const std::string& body, Expr i) {
+  return fun("any_" + body, any_start() + Exprs{i});
+}
+inline Expr nearing(Expr i) { return fun("nearing", any_start() + Exprs{i}); }
+/// The momentum, times w_B.
+inline Expr any_momentum() { return w_B * (M_A * (V + W) + M_C * W); }
+/// The same where the ball and B are at rest at the start.
+inline Exprs at_rest() { return {M_A, w_B, M_C, e, V}; }
+inline Expr velocity(const std::string& body, Expr i) {
+  return fun("v_" + body, at_rest() + Exprs{i});
+}
+inline Expr closing(Expr i) { return fun("closing", at_rest() + Exprs{i}); }
+/// A theorem of the motion from any start about that from rest, in its names, at collisions
+/// `indices`.
+Theorem from_rest(const Book& book, const Theorem& t, Substitution terms = {},
+                  const Exprs& indices = {j, j + 1});
 /// sqrt(e)^i
 inline Expr root_power(Expr i) { return fun("pow", {sqrt(e), i}); }
-/// closing_j is its value, by what is shown in the chapter.
-Theorem approach_speeds(const Book& book, const Motion& of, const std::function<Expr(Expr)>& value,
-                        const Theorems& rules);
-/// Shows the motion from its start, collision by collision, and what its approach speeds keep.
-void sequences(Book& book, const Motion& of, const std::string& words_of_start);
+/// Shows the motion from any start, collision by collision, and what its approach speeds keep.
+void sequences(Book& book);
 inline const Substitution elastic{{e, 1}};
 inline Exprs masses_and_e() { return {M_A, w_B, M_C, e}; }
 inline Expr kappa() { return fun("kappa", masses_and_e()); }
@@ -83,6 +76,7 @@ Theorem powers_of(const Book& book, const Theorem& at_most_1);
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is);
 /// The same where nothing is lost and powers of e are 1, as the first two of four say.
 Theorems without_losses(const Book& book, const Theorem& kappa_is);
-WriteChapter restitution, from_any_start, transmission, ends, chebyshev, wedge, when_and_where,
-    collapse, encounters, digits_of_pi, cradle, billiard, three_body_forms, restitution_forms;
+WriteChapter restitution, from_any_start, motion, transmission, ends, chebyshev, wedge,
+    when_and_where, collapse, encounters, digits_of_pi, cradle, billiard, three_body_forms,
+    restitution_forms;
 }  // namespace derivation
