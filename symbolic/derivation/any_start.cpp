@@ -89,23 +89,23 @@ void line(Book& book) {
                 "and collision j takes place at the time");
   const Expr T = left(when);
   const Theorem meets = equation(T * nearing(j), by_distances(nearing(j)), {when});
-  const auto place = [&](std::size_t i, Expr index) {
-    return substitute(left(lines[i]), {{tau, T}, {j, index}});
-  };
-  Theorems there;
-  for (const Theorem& is : lines)
-    for (Expr i : {j, j + 1}) there.push_back(at(is, {{tau, T}, {j, i}}));
+  const auto place = [&](std::size_t i) { return substitute(left(lines[i]), {{tau, T}}); };
   const auto with = [&](const char* id) { return twice(book[std::string("any_start.") + id]); };
-  const Expr A = place(0, j), B = place(1, j), C = place(2, j);
+  Theorems there;
+  for (const Theorem& is : lines) there.push_back(at(is, {{tau, T}}));
+  const Expr A = place(0), B = place(1), C = place(2);
   const Expr ahead = by_distances(nearing(j)) - T * nearing(j);
   book.show("met", "where its bodies are at one place,",
             chain(equation(is_P(j) * (C - A) + is_Q(j) * (B - C), ahead, there + with("closing")),
                   equation(ahead, 0, {meets})));
-  Theorems same;
-  for (std::size_t i = 0; i < 3; ++i)
-    same.push_back(
-        equation(place(i, j + 1), place(i, j), there + with("changes") + Theorems{meets}));
-  book.show("goes_on", "from which the next lines go on:", both(same));
+  Theorems moves, goes_on;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Theorem next = at(lines[i], {{j, j + 1}});
+    const Expr moved = place(i) + right(next).arg(0).arg(1) * (tau - T);
+    moves.push_back(equation(left(next), moved, there + with("changes") + Theorems{next, meets}));
+    goes_on.push_back(chain(solved_for(place(i), at(moves[i], {{tau, T}})), at(next, {{tau, T}})));
+  }
+  book.show("goes_on", "from which all move on with their next velocities:", both(moves));
 
   const Theorem sign = book["any_start.takes_place"], speed_is = book["any_start.speed"];
   know(tautology(lt(0, swing(j)), {sign, going}));
@@ -114,10 +114,10 @@ void line(Book& book) {
   for (const Theorem& is : {speed_is, at(speed_is, {{j, j + 1}})}) facts = facts + twice(is);
   for (const Theorem& is : with("A_B")) facts.push_back(solved_for(left(is).arg(0), is));
   know(at(book["wedge.signs"], {{j, j + 1}}));
-  book.show("apart", "The blocks are then so far apart:",
-            equation(place(1, j + 1) - place(0, j + 1),
-                     root_power(j + 1) * side(j + 1) * r_e() * (V * d_B - W * d_A) / swing(j),
-                     there + facts));
+  book.show(
+      "apart", "The blocks are then so far apart:",
+      equation(B - A, root_power(j + 1) * side(j + 1) * r_e() * (V * d_B - W * d_A) / swing(j),
+               goes_on + facts));
 }
 /// Where kappa is 1 or more, and B does not run away too fast.
 void collapse_from_any_start(Book& book) {

@@ -14,13 +14,8 @@ struct Collision {
   Expr ball(Expr u, Expr w) const { return substitute(ball_after, {{u_1, u}, {u_2, w}}); }
 };
 
-/// |- 0 <= n implies turn_(2n) = 1, and with it what the two collisions of a cycle do to each body.
-struct Sequence {
-  Theorems starts;  // of A, B, C
-  Theorems first;   // |- A_(2n+1) = ..., B, C under 0 <= n
-  Theorems second;  // |- A_(2n+2) = ...
-};
-Sequence sequence(Book& book, const Collision& collide) {
+/// What the two collisions of cycle n do to each body.
+Theorems sequence(Book& book, const Collision& collide) {
   const Theorems whose_turn = defined_by_recursion(
       {"turn"}, {}, j, {le(0, j)}, {1}, [](const Exprs& before) { return Exprs{-before[0]}; });
   const Expr P = is_P(j), Q = is_Q(j);
@@ -49,15 +44,13 @@ Sequence sequence(Book& book, const Collision& collide) {
   const Theorem turn_0 = by_induction(n, eq(turn(2 * n), 1), {whose_turn[0]},
                                       {turn_after(2 * n + 1), turn_after(2 * n)});
   const Theorem turn_1 = equation(turn(2 * n + 1), -1, {turn_after(2 * n), turn_0});
-  const auto after = [&](Expr i, const Theorem& whose) {
-    Theorems steps;
-    for (std::size_t body = 3; body < 6; ++body)
-      steps.push_back(rewrite(whose, at(motion[body], {{j, i}}, {n_from_0})));
-    return steps;
-  };
   book.show("turns", "So collision 2n is one with A, and collision 2n + 1 one with B:",
             both({turn_0, turn_1}));
-  return {{motion[0], motion[1], motion[2]}, after(2 * n, turn_0), after(2 * n + 1, turn_1)};
+  Theorems steps;
+  for (const auto& [i, whose] : {std::pair{2 * n, turn_0}, std::pair{2 * n + 1, turn_1}})
+    for (std::size_t body = 3; body < 6; ++body)
+      steps.push_back(at(rewrite(whose, at(motion[body], {{j, i}}, {n_from_0})), {{n, n - 1}}));
+  return steps;
 }
 
 void conservation(Book& book, const Theorems& steps) {
@@ -108,7 +101,7 @@ void cycle(Book& book) {
   const Theorem law = book["ball.velocities"];
   const Collision collide{left(law).arg(1), right(law).arg(1)};
   book.chapter("cycle", "The motion, cycle by cycle", {alpha_positive, from_1});
-  const Sequence s = sequence(book, collide);
+  const Theorems all_steps = sequence(book, collide);
 
   // The paper's names: the n-th cycle is collisions 2n - 2 (P_n) and 2n - 1 (Q_n).
   const Exprs domain{alpha_positive, le(0, n)};
@@ -122,20 +115,16 @@ void cycle(Book& book) {
                            [&](const Exprs&) { return Exprs{collide.ball(A(2 * n), C(2 * n))}; });
   book.show("names", "The paper's velocities: A's, B's and the ball's after n cycles,",
             under({alpha_positive, le(0, n)}, both({def_a, def_b, def_c_prime})));
-  const auto in_cycle = [&](const Theorem& step) {  // the step of cycle n + 1 as that of cycle n
-    return at(step, {{n, n - 1}});
-  };
-  Theorems all_steps;
-  for (const Theorem& t : s.first + s.second) all_steps.push_back(in_cycle(t));
-  const Theorem def_c = equation(
-      c(n), C(2 * n - 1), Theorems{in_cycle(at(within[1], {}, {assume(le(0, n))}))} + all_steps);
+  const Theorem def_c =
+      equation(c(n), C(2 * n - 1),
+               Theorems{at(at(within[1], {}, {assume(le(0, n))}), {{n, n - 1}})} + all_steps);
   book.show("c_start", "and the ball's within the n-th, 0 before the first:", within[0]);
   book.show("name_c", "so that", def_c);
   const Theorems definitions{def_a, def_b, def_c_prime};
   Theorems names{turned(def_c)};
   for (const Theorem& t : definitions)
     names = names + Theorems{turned(t), turned(at(t, {{n, n - 1}}))};
-  Theorems starts = s.starts;
+  Theorems starts{book["cycle.start"]};
   for (const Theorem& t : definitions) starts.push_back(at(t, {{n, 0}}));
   book.show("start_vector", "Before the first collision:",
             equation(logic_and({eq(a(0), V), eq(b(0), 0), eq(c_prime(0), 0)}), starts));

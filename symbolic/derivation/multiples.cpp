@@ -17,52 +17,34 @@ Expr term(Expr of, Expr index, Expr sign_of) {
 Expr even(Expr of, Expr e) { return term(of, 2 * e, e); }
 Expr odd(Expr of, Expr e) { return term(of, 2 * e + 1, e); }
 
-class Sums {
-public:
-  explicit Sums(Book& the_book) : book(the_book) {}
-  void show_definitions() {
-    book.show("pow", "Powers by recursion,", both(powers));
-    book.show("choose", "binomial coefficients,", both(coefficients));
-    const auto start = [&](std::size_t which) { return sums[which]; };
-    book.show("cos_sum", "a sum with those of even index,",
-              under({le(0, n), le(2 * j + 2, n)}, both({start(0), start(2)})));
-    book.show("sin_sum", "and one with those of odd index.",
-              under({le(1, n), le(2 * j + 3, n)}, both({start(1), start(3)})));
-  }
+const Expr from_0 = le(0, j);
+
+struct Sums {
   Theorem pow_next(Expr base, Expr e) const { return at(powers[1], {{y, base}, {j, e}}); }
   Theorem choose_next(Expr of, Expr e) const { return at(coefficients[1], {{n, of}, {j, e}}); }
   /// 0 <= j |- choose(n + 1, j + 1) = choose(n, j + 1) + choose(n, j)
   Theorem pascal() const {
-    const auto at_0 = [&](Expr of) { return at(coefficients[0], {{n, of}}); };
     return by_induction(
         j, eq(choose(n + 1, j + 1), choose(n, j + 1) + choose(n, j)),
-        {choose_next(n + 1, 0), choose_next(n, 0), at_0(n + 1), at_0(n)},
+        {choose_next(n + 1, 0), choose_next(n, 0), at(coefficients[0], {{n, n + 1}}),
+         coefficients[0]},
         {choose_next(n + 1, j + 1), choose_next(n, j + 1), choose_next(n, j), assume(from_0)});
   }
-  /// 0 <= n |- n + 1 <= j implies choose(n, j) = 0
-  Theorem none() const {
-    const Expr claim = eq(choose(n, j), 0), first = n + 1,
-               premise = logic_and({le(first, j), claim});
-    const Theorem known = assume(premise);
-    const Theorem base = equation(choose(n, first), 0, {choose_next(n, n)});
-    const Theorem next =
-        at(coefficients[1], {}, {linear(le(0, j), {assume(le(0, n)), part(known, 0)})});
-    return induction(j, first, claim, base,
-                     discharge(premise, equation(choose(n, j + 1), 0, {next, part(known, 1)})));
+  /// 0 <= of, of < e |- choose(of, e) = 0
+  Theorem none(Expr of, Expr e, const Theorems& facts = {}) const {
+    const Theorem beyond = by_induction(j, eq(choose(n, n + 1 + j), 0), {choose_next(n, n)},
+                                        {choose_next(n, n + 1 + j)});
+    return at(beyond, {{n, of}, {j, e - of - 1}}, facts);
   }
   /// 0 <= n, 0 <= i |- choose(n, i) cos(x)^(n + 1 - i) = choose(n, i) cos(x) cos(x)^(n - i)
-  Theorem one_more_cosine(const Theorem& vanishes) const {
+  Theorem one_more_cosine() const {
     const Expr l = choose(n, i) * pow(c_x, n + 1 - i), r = choose(n, i) * c_x * pow(c_x, n - i);
     const auto inside = [&](const Theorem& t) {
       return equation(l, r, {at(powers[1], {{y, c_x}, {j, n - i}}, {t})});
     };
-    const auto outside = [&](const Theorem& t) {
-      return equation(l, r, {at(vanishes, {{j, i}}, {next_integer(t)})});
-    };
+    const auto outside = [&](const Theorem& t) { return equation(l, r, {none(n, i, {t})}); };
     return tautology(eq(l, r), {given(le(i, n), inside), given(lt(n, i), outside)});
   }
-  Book& book;
-  const Expr from_0 = le(0, j);
   const Theorems powers = defined_by_recursion(
       {"pow"}, {y}, j, {from_0}, {1}, [](const Exprs& before) { return Exprs{y * before[0]}; });
   const Theorems coefficients = defined_by_recursion(
@@ -76,8 +58,8 @@ public:
 };
 
 /// 0 <= n, 0 <= j |- the sums for n + 1 from those for n, as the sum of two angles has it.
-Theorem one_more_angle(const Sums& s, const Theorem& pascal, const Theorem& vanishes) {
-  const Theorem one_more = s.one_more_cosine(vanishes);
+Theorem one_more_angle(const Sums& s, const Theorem& pascal) {
+  const Theorem one_more = s.one_more_cosine();
   const auto coefficient = [&](Expr e) { return at(pascal, {{j, e}}); };
   const auto cosine = [&](Expr e) { return at(one_more, {{i, e}}); };
   const auto sine = [&](Expr e) { return s.pow_next(s_x, e); };
@@ -103,14 +85,13 @@ Theorem one_more_angle(const Sums& s, const Theorem& pascal, const Theorem& vani
 }
 
 /// 0 <= n, 0 <= m |- n <= 2m + 1 implies cos(n x) and sin(n x) are the sums up to m.
-Theorem sums_are(const Sums& s, const Theorem& one_more, const Theorem& vanishes) {
-  const auto none_of_0 = [&](Expr e) { return at(vanishes, {{n, 0}, {j, e}}); };
+Theorem sums_are(const Sums& s, const Theorem& one_more) {
   const auto of_0 = [](const Theorem& t) { return at(t, {{n, 0}}); };
-  Theorems first{of_0(s.sums[0]), of_0(s.sums[1]), of_0(s.coefficients[0]), none_of_0(1)};
+  Theorems first{of_0(s.sums[0]), of_0(s.sums[1]), of_0(s.coefficients[0]), s.none(0, 1)};
   for (const Expr& base : {Expr(-1), s_x, c_x}) first.push_back(at(s.powers[0], {{y, base}}));
   const Theorem nothing =
       by_induction(j, logic_and({eq(cos_sum(0, j), 1), eq(sin_sum(0, j), 0)}), first,
-                   {of_0(s.sums[2]), of_0(s.sums[3]), none_of_0(2 * j + 2), none_of_0(2 * j + 3)});
+                   {of_0(s.sums[2]), of_0(s.sums[3]), s.none(0, 2 * j + 2), s.none(0, 2 * j + 3)});
   const Known m_from_0({assume(le(0, m))});
   const auto at_m = [&](const Theorem& t) { return at(t, {{j, m}}); };
   const auto equal = [](Expr e) {
@@ -122,8 +103,8 @@ Theorem sums_are(const Sums& s, const Theorem& one_more, const Theorem& vanishes
   return by_induction(n, claim(n), base, [&](const Theorem& known) {
     return given(le(n + 1, 2 * m + 1), [&](const Theorem& room) {
       const Theorem now = tautology(equal(n), {known, linear(le(n, 2 * m + 1), {room})});
-      const Theorem none = at(vanishes, {{j, 2 * m + 1}}, {room});
-      return equation(equal(n + 1), {now, at_m(one_more), none}, {n * x, x});
+      return equation(equal(n + 1), {now, at_m(one_more), s.none(n, 2 * m + 1, {room})},
+                      {n * x, x});
     });
   });
 }
@@ -138,11 +119,15 @@ void multiples(Book& book) {
   book.show("sin_more", "sec:nhx", "and",
             equation(sin((n + r) * x), sin(n * x) * cos(r * x) + cos(n * x) * sin(r * x), {},
                      {n * x, r * x}));
-  Sums s(book);
-  s.show_definitions();
+  const Sums s;
+  book.show("pow", "Powers by recursion,", both(s.powers));
+  book.show("choose", "binomial coefficients,", both(s.coefficients));
+  book.show("cos_sum", "a sum with those of even index,",
+            under({le(0, n), le(2 * j + 2, n)}, both({s.sums[0], s.sums[2]})));
+  book.show("sin_sum", "and one with those of odd index.",
+            under({le(1, n), le(2 * j + 3, n)}, both({s.sums[1], s.sums[3]})));
   const Theorem pascal = book.show("pascal", "Pascal's rule:", s.pascal());
-  const Theorem vanishes = s.none();
-  const Theorem are = sums_are(s, one_more_angle(s, pascal, vanishes), vanishes);
+  const Theorem are = sums_are(s, one_more_angle(s, pascal));
   // With floor(n/2) for the cosine, and floor((n - 1)/2) for the sine, as one more term is 0.
   const auto floor_of = [&](Expr t) { return at(book["constraints.floor"], {{x, t}}); };
   const Theorem half_is = floor_of(n / 2), less_is = floor_of((n - 1) / 2);
@@ -154,7 +139,7 @@ void multiples(Book& book) {
   know(linear(le(0, less), {less_is, from_1}));
   const Theorem reaches = linear(le(n, 2 * less + 2), {less_is});
   const Theorem longer = part(at(are, {{m, less + 1}}, {reaches}), 1);
-  const Theorem zero = at(cut(n_from_0, vanishes), {{j, 2 * less + 3}}, {reaches});
+  const Theorem zero = s.none(n, 2 * less + 3, {reaches, n_from_0});
   const Theorem last = at(s.sums[3], {{j, less}});
   book.show("sin", "sec:nx", "and its sine the second one, up to (n - 1)/2:",
             equation(sin(n * x), sin_sum(n, less), {cut(n_from_0, longer), last, zero}));

@@ -18,23 +18,22 @@ void ratio_of_angle(Book& book) {
             "The mass ratio at which psi/2 is an angle x between 0 and pi/2, by solving "
             "1/(1 + alpha) = cos(x):",
             equation(cos(half()), cos(x), {value, assume(eq(alpha, ratio))}));
-  const auto compared = [&](Expr goal, Expr angles_less, Expr cosines) {
-    return given(angles_less, [&](const Theorem& less) {
-      const Theorem falls = linear(cosines, {cosine_falls(less), value});
-      return linear(goal, {times(falls, (1 + alpha) / cos(x))});
-    });
+  const Expr cosine = right(value);
+  const auto show = [&](const char* name, const char* words, auto less, auto contrary) {
+    const Expr ratios = less(ratio, alpha), cosines = less(cosine, cos(x));
+    const auto falls = [&](Expr angles, Expr goal) {
+      return given(angles, [&](const Theorem& t) {
+        return linear(goal, {cosine_falls(t), value});
+      });
+    };
+    book.show(name, words,
+              tautology(iff(ratios, less(x, half())),
+                        {same_sign(iff(ratios, cosines), (1 + alpha) / cos(x), {}),
+                         falls(less(x, half()), cosines),
+                         falls(contrary(half(), x), contrary(cos(x), cosine))}));
   };
-  const Expr cosine = 1 / (1 + alpha);
-  const Theorems cases{compared(lt(alpha, ratio), lt(half(), x), lt(cos(x), cosine)),
-                       compared(lt(ratio, alpha), lt(x, half()), lt(cosine, cos(x))),
-                       given(eq(half(), x), [&](const Theorem& same) {
-                         const Theorem is = linear(eq(cos(x), cosine), {rewrite(same, value)});
-                         return equation(ratio, alpha, {is});
-                       })};
-  book.show("reached", "Ratios from there on have psi/2 >= x, and no others:",
-            follows(iff(le(ratio, alpha), le(x, half())), cases));
-  book.show("passed",
-            "and larger ratios psi/2 > x:", follows(iff(lt(ratio, alpha), lt(x, half())), cases));
+  show("reached", "Ratios from there on have psi/2 >= x, and no others:", le, lt);
+  show("passed", "and larger ratios psi/2 > x:", lt, le);
 }
 /// A larger angle is that of a larger ratio.
 void rises(Book& book) {

@@ -70,12 +70,10 @@ void small_alpha(Book& book) {
   book.chapter("small_alpha", "Small mass ratios", {alpha_positive, V_positive});
   theta_bounds(book);
   const Expr third = pi() / 3;
-  const Theorem reached = at(book["ratios.reached"], {{x, third}});
-  const Theorem first = at(book["ratios.alpha_k"], {{k, 1}});
-  const Theorem is_1 = linear(eq(right(first), 1), {first, book["ratios.alpha_1"]});
-  const Theorem angle = assume(le(third, psi() / 2));
-  const Theorem heavy = tautology(left(reached), {reached, angle});
-  const Theorem less = otherwise(lt(psi() / 2, third), {heavy, assume(light), is_1});
+  const Theorem falls = cosine_falls(assume(le(third, psi() / 2)));
+  const Theorem less =
+      otherwise(lt(psi() / 2, third), {falls, book["rotation.cos_half_psi"], book["ratios.third"],
+                                       times(assume(light), 1 / (1 + alpha))});
   book.show("psi_light",
             "The range of psi for such a ball:", linear(lt(psi(), 2 * pi() / 3), {less}));
   psi_bounds(book);

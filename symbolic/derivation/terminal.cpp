@@ -83,23 +83,24 @@ Theorem at_the_end(Book& book, const End& end) {
   const Theorems values{a_is, b_is, c_is};
   return both(
       {linear(logic_and({le(a_t(), c_t()), le(c_t(), b_t())}), values + Theorems{end.order}),
-       equation(a_t() + b_t() + alpha * c_t(), V, values + Theorems{from_momentum}),
        equation(power(a_t(), 2) + power(b_t(), 2) + alpha * power(c_t(), 2), power(V, 2),
                 values + Theorems{solved_for(power(a(n), 2), end.energy)})});
 }
 
-/// a <= c <= b with the momentum and energy of the start |- 0 < b, b <= V
+/// a <= c <= b with the energy of the start |- 0 < b, b <= V
 void below_V(Book& book, const Theorem& facts) {
-  const Theorems all = parts({facts});  // a <= c, c <= b, momentum, energy
+  const Theorems all = parts({facts});  // a <= c, c <= b, energy
+  const Theorem momentum =
+      equation(a_t() + b_t() + alpha * c_t(), V, parts({book["terminal.definitions"]}));
   const Theorem b_positive = scaled(lt(0, b_t()), lt(0, (2 + alpha) * b_t()), 1 / (2 + alpha),
-                                    {all[0], times(all[1], 1 + alpha), all[2]});
+                                    {all[0], times(all[1], 1 + alpha), momentum});
   const Theorem not_faster =
       scaled(le(b_t(), V), le(power(b_t(), 2), power(V, 2)), 1 / (V + b_t()),
-             {b_positive, all[3], not_negative(power(a_t(), 2) + alpha * power(c_t(), 2))});
+             {b_positive, all[2], not_negative(power(a_t(), 2) + alpha * power(c_t(), 2))});
   book.show("order",
             "In any case they are in the order of the bodies, and B is not faster than A was:",
             both({all[0], all[1], b_positive, not_faster}));
-  book.show("energy", "with", both({all[2], all[3]}));
+  book.show("energy", "with", both({momentum, all[2]}));
 }
 
 /// (N_A - 1/2) psi < pi <= (N_A + 1/2) psi, so that cosines of half of both have the signs that

@@ -4,22 +4,19 @@
 
 namespace derivation {
 namespace {
-/// |- 0 <= x implies sqrt(x^2) = x, and |- x <= 0 implies sqrt(x^2) = -x
-std::pair<Theorem, Theorem> root_of_square() {
+/// |- 0 <= x implies sqrt(x^2) = x
+Theorem root_of_square() {
   const Expr s = sqrt(power(x, 2));
   const Theorem square = not_negative(power(x, 2));
   const Theorem s_from_0 = at("root not negative", {{x, power(x, 2)}});
-  const auto with_sign = [&](Expr value, Expr premise) {  // s^2 = value^2, neither negative
-    return given(premise, [&](const Theorem& value_from_0) {
-      const auto not_above = [&](Expr l, Expr r) {
-        const Theorem above = assume(lt(r, l));
-        const Theorem sum = linear(lt(0, l + r), {above, s_from_0, value_from_0});
-        return otherwise(le(l, r), {times(above, sum), root_squared(square)});
-      };
-      return linear(eq(s, value), {not_above(s, value), not_above(value, s)});
-    });
-  };
-  return {with_sign(x, le(0, x)), with_sign(-x, le(x, 0))};
+  return given(le(0, x), [&](const Theorem& x_from_0) {  // (s - x)(s + x) = 0
+    const auto not_above = [&](Expr l, Expr r) {
+      const Theorem above = assume(lt(r, l));
+      const Theorem sum = linear(lt(0, l + r), {above, s_from_0, x_from_0});
+      return otherwise(le(l, r), {times(above, sum), root_squared(square)});
+    };
+    return linear(eq(s, x), {not_above(s, x), not_above(x, s)});
+  });
 }
 }  // namespace
 
@@ -50,7 +47,7 @@ void terminal_forms(Book& book, const Angle& a) {
                          f.name("w_plus", f("w_cosine") + f("rest_sine")),
                          f.name("b_form", 2 * f("w_plus") * f("t_cosine"))};
   const Prover prover(book, a);
-  const auto roots = root_of_square();
+  const Theorem root = root_of_square();
 
   // Q_n last: r > 0; P_n last: r <= 0.
   const auto in_case = [&](bool Q_last) {
@@ -60,9 +57,9 @@ void terminal_forms(Book& book, const Angle& a) {
           at(book[Q_last ? "terminal.after_Q" : "terminal.after_P"], {{n, N_A()}}, {N_is});
       const Theorem bound =
           linear(Q_last ? lt(0, z - 2 * N_A()) : le(0, 2 * N_A() - z), {N_is, book["counting.N"]});
-      const Theorem sign = linear(Q_last ? le(0, r) : le(r, 0), {times(bound, psi())});
-      const Theorem size =
-          chain(rest_is, at(Q_last ? roots.first : roots.second, {{x, r}}, {sign}));
+      const Expr value_is = Q_last ? r : -r;
+      const Theorem sign = linear(le(0, value_is), {times(bound, psi())});
+      const Theorem size = chain(rest_is, at(root, {{x, value_is}}, {sign}));
       const Exprs quarter_turn{pi() / 2, angle};
       const Theorem sine = equation(f("rest_sine"), Q_last ? cos(angle) : -cos(angle),
                                     {rewrite(size, def_sine)}, quarter_turn);
@@ -92,15 +89,15 @@ void terminal_forms(Book& book, const Angle& a) {
   const Theorem r_up = scaled(le(r, half_h), le(z, N_A() + half), psi(), count);
   const Theorem r_down = scaled(le(-r, half_h), le(N_A(), z + half), psi(), count);
   const Expr bounds_of_rest = logic_and({le(0, f("rest")), le(f("rest"), half_h)});
-  const auto with_sign = [&](const Theorem& root, Expr sign) {
+  const auto with_sign = [&](Expr sign, Expr value_is) {
     return given(sign, [&](const Theorem& t) {
-      const Theorem is = chain(rest_is, at(root, {{x, r}}, {t}));
+      const Theorem is = chain(rest_is, at(root, {{x, value_is}}, {linear(le(0, value_is), {t})}));
       return linear(bounds_of_rest, {is, t, r_up, r_down});
     });
   };
-  const Theorem bounds = book.show("rest_bounds", "where what is left is half a step at most:",
-                                   follows(bounds_of_rest, {with_sign(roots.first, le(0, r)),
-                                                            with_sign(roots.second, lt(r, 0))}));
+  const Theorem bounds =
+      book.show("rest_bounds", "where what is left is half a step at most:",
+                follows(bounds_of_rest, {with_sign(le(0, r), r), with_sign(lt(r, 0), -r)}));
   const Expr gap_angle = q - f("rest");
   const Theorem sine_from_0 = sine_not_negative(gap_angle, {bounds, psi_is});
   const Theorem difference =

@@ -46,9 +46,7 @@ void until_the_next(Book& book) {
       "ball", "the ball and a block,",
       arithmetic(eq(C, is_P(j) * A + is_Q(j) * B),
                  {.equations = {{turn(j), met}, {(A + B) / 2 - C, book["cycle.turn_squared"]}}}));
-  Theorem later = named_in("apart");
-  const Theorems goes_on = parts({named_in("goes_on")});
-  for (const Theorem& is_there : goes_on) later = rewrite(is_there, later);
+  const Theorem later = named_in("apart");
   const Theorem r_e_is = book["any_start.def_r_e"];
   const Theorems factors{at(part(book["cycle.turn"], 1)), book["cycle.turn_squared"],
                          at(part(at(book["multiples.pow"], {{y, sqrt(e)}}), 1)), r_e_is};
@@ -59,29 +57,26 @@ void until_the_next(Book& book) {
   shown("time", "and the collision takes place at the time",
         equation(left(time), L * r_B() * U_last(j) / (V * r_A() * sqrt(e) * U(j)),
                  {time, when, book["motion.speed"], at(speed, start_with(0, L)), r_e_is}));
-  // Places are lines in time.
-  const Expr goes_further = lt(0, closing(j + 1));
+  const Expr goes_further = lt(0, closing(j + 1)), next_time = at_collision("time", j + 1);
   Theorems lines, next;
-  for (const Theorem& line : parts({from("linear")})) {
+  for (const Theorem& moves : parts({named_in("goes_on")})) {
     const std::size_t body = lines.size();
-    const Theorem now = rewrite(named[body + 1], at(line, {{tau, left(time)}}));
-    const Theorem after = at(line, {{tau, left(time)}, {j, j + 1}});
-    const Theorem next_one = at(now, {{j, j + 1}});
-    const Expr x_is = left(places[body]), later_time = substitute(left(time), {{j, j + 1}});
-    const Expr moved = right(after).arg(0).arg(1) * (later_time - left(time));
+    const Theorem& place = named[body + 1];
+    const Theorem moved = rewrite(at(place, {{j, j + 1}}), at(moves, {{tau, next_time}}));
+    const Theorem line = at(part(from("linear"), body), {{tau, left(time)}});
+    const Expr x_is = left(places[body]), v = velocity(std::string(1, "ABC"[body]), j + 1);
     next.push_back(
-        linear(eq(substitute(x_is, {{j, j + 1}}), x_is + moved), {after, goes_on[body], next_one}));
-    lines.push_back(solved_for(x_is, now));
+        linear(eq(substitute(x_is, {{j, j + 1}}), x_is + v * (next_time - left(time))), {moved}));
+    lines.push_back(solved_for(x_is, rewrite(place, line)));
   }
   know(assume(goes_further));
   shown("next", "and until the next collision all move on with their velocities:",
         under({goes_further}, both(next)));
   const Theorem at_start = at(book["any_start.momentum"], start_with(0, L));
-  const Theorem momentum = from("momentum");
   const Theorem carried =
       shown("carried", "The centre of mass, if there is no wall, moves on evenly:",
             equation(w_B * (M_A * A + M_C * C) + B, L + w_B * M_A * V * left(time),
-                     lines + Theorems{solved_for(velocity("B", j), momentum),
+                     lines + Theorems{solved_for(velocity("B", j), from("momentum")),
                                       solved_for(substitute(any_velocity("B", j), start_with(0, L)),
                                                  at_start)}));
   const Expr D = B - A, all = mass_of_all();
