@@ -67,7 +67,6 @@ void unfolded(Book& book) {
       tautology(lt(0, here(U(j))), {lossless(book, "motion.takes_place"), assume(going)});
   const Expr sine = sin((j + 1) * h);
   know(takes_place);
-  const Theorem blocks = lossless(book, "places.distance");
   const Exprs by_masses = of_wedge({});
   const auto named = [&](const char* name, Expr of, Expr value, const char* words) {
     return book.define(name, {M_A, w_B, M_C, of}, value, by_masses, words);
@@ -78,9 +77,9 @@ void unfolded(Book& book) {
   book.show("speed", "which is that of the energy without that of the centre of mass,",
             equation(power(speed, 2), M_A * power(V, 2) - w_B * power(M_A * V, 2) / all,
                      squared_shares(book) + Theorems{V_is}));
-  const Theorems rules =
-      without_losses(book, cosine) +
-      Theorems{radius_is, solved_for(B, blocks), L_is, V_is, lossless(book, "places.time")};
+  const Theorems rules = without_losses(book, cosine) +
+                         Theorems{radius_is, solved_for(B, lossless(book, "places.distance")), L_is,
+                                  V_is, lossless(book, "places.time")};
   const Expr moved = speed * here(at_collision("time", j));
   const Theorem sum = equation(sine, sin(j * h) * cos(h) + cos(j * h) * sin(h), {}, {j * h, h});
   book.show("line",

@@ -64,6 +64,23 @@ Theorem velocities_after(Book& book) {
 }
 }  // namespace
 
+void show_angle(Book& book, const Theorem& is, const Theorems& hypotenuse, Expr cosine, Expr sine) {
+  const Expr angle = left(is), t = right(is).arg(1).arg(0);
+  const Theorem half = linear(eq(atan(t), angle / 2), {is});
+  const auto show = [&](const std::string& of, const char* words, const Theorem& theorem) {
+    return book.show(of + angle.name(), "table:trig", words, theorem);
+  };
+  const auto at_half = [&](const char* axiom_name) {
+    Theorem out = rewrite(half, at(axiom_name, {{x, t}}));
+    for (const Theorem& rule : hypotenuse) out = rewrite(rule, out);
+    return out;
+  };
+  const Theorems of_half{show("cos_half_", "Its half is an arctangent,", at_half("cos atan")),
+                         show("sin_half_", "and", at_half("sin atan"))};
+  show("cos_", "The double angle", equation(cos(angle), cosine, of_half, {angle / 2}));
+  show("sin_", "and", equation(sin(angle), sine, of_half, {angle / 2}));
+}
+
 void contact(Book& book) {
   book.chapter("contact", "One collision of two bodies", {lt(0, M_1), lt(0, M_2)});
   const Theorem general = velocities_after(book);
@@ -106,26 +123,13 @@ void contact(Book& book) {
   // theta
   const Theorem angle = book.name("theta", {alpha}, 2 * atan(s), {alpha_positive},
                                   "The angle theta:", "def:theta theta-txt");
-  const Theorem half = linear(eq(atan(s), theta() / 2), {angle});
-  const Theorem inside = equation(1 + power(s, 2), 1 + alpha);
-  const auto at_half = [&](const std::string& axiom_name) {
-    return rewrite(inside, rewrite(half, at(axiom_name, {{x, s}})));
-  };
-  const Theorem cos_half =
-      book.show("cos_half_theta", "table:trig", "Its half is an arctangent,", at_half("cos atan"));
-  const Theorem sin_half = book.show("sin_half_theta", "table:trig", "and", at_half("sin atan"));
-  const auto doubled = [&](Expr l, Expr r) {
-    return equation(l, r, {cos_half, sin_half}, {theta() / 2});
-  };
-  const Theorem cos_theta =
-      book.show("cos_theta", "table:trig",
-                "the double angle:", doubled(cos(theta()), (1 - alpha) / (1 + alpha)));
-  const Theorem sin_theta =
-      book.show("sin_theta", "table:trig", "and", doubled(sin(theta()), 2 * s / (1 + alpha)));
+  show_angle(book, angle, {equation(1 + power(s, 2), 1 + alpha)}, (1 - alpha) / (1 + alpha),
+             2 * s / (1 + alpha));
   const Theorem plane = book.name("lambda", {x}, matrix(2, {cos(x), -sin(x), sin(x), cos(x)}), {},
                                   "A rotation of the plane");
   const Theorem mirror = book.name("P_2", {}, matrix(2, {1, 0, 0, -1}), {}, "and a reflection:");
-  const Theorems turned_rules{gamma, cos_theta, sin_theta, at(plane, {{x, theta()}}), mirror};
+  const Theorems turned_rules{gamma, book["ball.cos_theta"], book["ball.sin_theta"],
+                              at(plane, {{x, theta()}}), mirror};
   book.show("Gamma_theta", "def:gamma", "With it Gamma is",
             equation(Gamma(), matrix(2, {cos(theta()), sin(theta()), sin(theta()), -cos(theta())}),
                      turned_rules));

@@ -11,8 +11,7 @@ Theorem sine_not_positive() {
   return given(le(pi(), x), [](const Theorem& from_pi) {
     return given(le(x, 2 * pi()), [&](const Theorem& to_end) {
       const Theorem back = sine_not_negative(x - pi(), {from_pi, to_end});
-      const Theorem shifted = equation(sin(x), -sin(x - pi()), {}, {x - pi(), pi()});
-      return linear(le(sin(x), 0), {shifted, back});
+      return linear(le(sin(x), 0), {equation(sin(x), -sin(x - pi()), {}, {x - pi(), pi()}), back});
     });
   });
 }

@@ -17,8 +17,7 @@ Theorem pi_at_most_4() {  // pi/4 is the angle whose tangent is 1
 void digits_of_pi(Book& book) {
   book.chapter("wall", "A wall, and digits of pi", {V_positive});
   const Expr T = real("T");
-  const Theorem from_1 = assume(le(1, T));
-  const Known large({from_1});
+  const Known large({assume(le(1, T))});
   const auto here = [&](const char* id) {
     const Substitution masses{{M_A, power(T, 2)}, {w_B, 0}, {M_C, 1}, {e, 1}};
     return at(book[id], masses);
@@ -47,16 +46,14 @@ void digits_of_pi(Book& book) {
   const Expr u = 1 / T;
   const Theorem product =
       times(linear(le(0, h - u + power(u, 3) / 3), {angle, near}), pi() * T + 2 * u);
-  const Theorem below_1 = scaled(le(u, 1), le(1, T), u);
-  const Theorem to =
-      linear(le(pi(), (pi() * T + 2 * u) * h),
-             {product, times(at_most_4, power(u, 2)), times(below_1, (1 + u) * power(u, 2))});
+  const Theorem to = linear(le(pi(), (pi() * T + 2 * u) * h),
+                            {product, times(at_most_4, power(u, 2)),
+                             times(scaled(le(u, 1), le(1, T), u), (1 + u) * power(u, 2))});
   know(book.show("number_T", "so that the number of collisions is near pi T:",
                  both({many, linear(lt(N, pi() * T + 2 * u), {number, times(to, 1 / h)})})));
-  const Expr room = logic_and({lt(k, pi() * T), le(pi() * T + 2 * u, k + 1)});
   book.show("digits",
             "It is pi T rounded down, unless pi T is less than 2/T below the next integer: for T a "
             "power of ten the first digits of pi, unless about as many nines follow them.",
-            linear(imp(room, eq(N, k))));
+            linear(imp(logic_and({lt(k, pi() * T), le(pi() * T + 2 * u, k + 1)}), eq(N, k))));
 }
 }  // namespace derivation

@@ -64,10 +64,9 @@ void encounters(Book& book) {
   book.show("when", "For a collision that takes place that is",
             equation(left(when), L / V * (sine(j) / sine(j + 1)),
                      rules + Theorems{when, of_motion("places.time")}));
-  const Theorem blocks = of_motion("places.distance");
-  book.show(
-      "apart", "and",
-      equation(left(distance), L * (sin(half()) / sine(j + 1)),
-               rules + Theorems{distance, solved_for(in_paper(at_collision("x_B", j)), blocks)}));
+  book.show("apart", "and",
+            equation(left(distance), L * (sin(half()) / sine(j + 1)),
+                     rules + Theorems{distance, solved_for(in_paper(at_collision("x_B", j)),
+                                                           of_motion("places.distance"))}));
 }
 }  // namespace derivation

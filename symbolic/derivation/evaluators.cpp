@@ -36,8 +36,11 @@ Angle angle(Book& book) {
   const Theorem tangent =
       equation(T, sin(psi() / 4) / cos(psi() / 4),
                {rewrite(is_quarter, sine_of_t), rewrite(is_quarter, cosine_of_t)});
-  return {is_quarter, tangent, t, equation(of_alpha("w"), T / alpha, {t}),
-          linear(le(T, of_alpha("w")), {t, times(light, w_positive)})};
+  return {is_quarter,
+          tangent,
+          linear(le(T, of_alpha("w")), {t, times(light, w_positive)}),
+          {equation(of_alpha("w"), T / alpha, {t}), tangent, part(book["power.quarter"], 1),
+           book["power.V_CM"]}};
 }
 
 /// Both velocities after P_n and both after Q_n, from one sine and one cosine.
@@ -56,11 +59,10 @@ void velocities(Book& book, const Angle& a) {
   book.show("t_sine_at_most", "where for a ball that is not heavier than a block",
             linear(le(f("t_sine"), f("w_sine")),
                    {parts[2], parts[3], times(a.t_small, assume(le(0, f("sine"))))}));
-  const Prover prover(book, a);
   const auto show = [&](const std::string& name, const std::string& id, Expr velocity, Expr form) {
     book.show(name, name == "a" ? "the velocities are" : "and",
-              prover.equal(velocity, V * form, Theorems{book["power." + id]} + parts,
-                           {n * psi() / 2, psi() / 4}));
+              a.equal(velocity, V * form, Theorems{book["power." + id]} + parts,
+                      {n * psi() / 2, psi() / 4}));
   };
   show("a", "a_product", derivation::a(n), f("plus") * f("minus"));
   show("b", "b_product", b(n), 2 * f("along") * f("t_sine"));

@@ -5,27 +5,13 @@
 
 namespace derivation {
 inline Expr of_alpha(const std::string& name) { return fun(name, {alpha}); }
-inline Expr of_both(const std::string& name) { return fun(name, {alpha, n}); }
 
-/// half_h = psi/4, t = sin(psi/4)/cos(psi/4), w = t/alpha, t <= w.
+/// half_h = psi/4, t = sin(psi/4)/cos(psi/4), t <= w, and rules for forms in t and w = t/alpha.
 struct Angle {
-  Theorem quarter, tangent, t_is, w_is, t_small;
-};
-
-/// Proves that a velocity is a form in t, w and a sine and cosine.
-struct Prover {
+  Theorem quarter, tangent, t_small;
   Theorems rules;
 
-  Prover(Book& book, const Angle& a) {
-    const Expr root = sqrt(alpha * (2 + alpha)), q = psi() / 4;
-    rules = {a.w_is, a.tangent, part(book["power.quarter"], 1), part(book["power.quarter"], 2),
-             book["power.V_CM"]};
-    const auto rationalised = [&](Expr l, Expr r) {
-      return cancel(eq(l, r), {positive(cos(q))}, rules + angles({}, {q}));
-    };
-    rules = rules + Theorems{rationalised(root * sin(q), alpha * cos(q)),
-                             rationalised(root * cos(q), (2 + alpha) * sin(q))};
-  }
+  /// A velocity is a form in t, w and a sine and cosine.
   Theorem equal(Expr l, Expr r, const Theorems& more, const Exprs& bases) const {
     const Theorem cosine = positive(cos(psi() / 4));
     return cancel(eq(l, r), {cosine, cosine}, more + rules, bases);

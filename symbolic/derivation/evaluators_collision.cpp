@@ -9,8 +9,7 @@ Expr sine_of(Expr times) { return sin(times * (psi() / 2)); }
 
 /// (1 + alpha)/2 = sin(psi/2)/sin(psi), for both.
 void first_of_B(Book& book) {
-  const Theorem exists = linear(lt(1, N()), {book["counting.shares"]});
-  const Known second({exists});
+  const Known second({linear(lt(1, N()), {book["counting.shares"]})});
   const Theorem twice =
       equation(sine_of(Expr(1) + 1), 2 * sin(psi() / 2) * cos(psi() / 2), {}, {psi() / 2});
   const Theorem once = equation(sine_of(1), sin(psi() / 2));
@@ -97,12 +96,11 @@ void collision_forms(Book& book, const Angle& a) {
 
   // From the second collision of A on, sin(angle) >= sin(psi/2) = t (1 + cos(psi/2)).
   const Expr middle = angle / 2 + quarter, off = angle / 2 - quarter;
-  const Theorem late = assume(le(2, j));
   const Theorem rises =
       equation(sin(angle), sin(psi() / 2) + 2 * cos(middle) * sin(off), {}, {middle, off});
   const Theorem product =
       times(linear(le(0, cos(middle)), {cosine_falls(linear(le(middle, pi() / 2), {near}))}),
-            sine_not_negative(off, {times(late, psi()), near}));
+            sine_not_negative(off, {times(assume(le(2, j)), psi()), near}));
   const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
   book.show("t_at_most", "where from the second collision of A on",
             linear(le(T, S),

@@ -46,8 +46,7 @@ void conditions(Book& book, const Condition& which) {
   const Expr quotient = pi() / which.denominator(N_B());
   const Theorem solved = equation(alpha, (1 - cos(half())) / cos(half()), {cos_half});
   const Theorem turn = equation(psi() * N_B(), pi() - which.shift * psi(), {counted});
-  const Theorem at_angle = equation(half(), quotient, {turn});
-  const Theorem reached = chain(rewrite(at_angle, solved),
+  const Theorem reached = chain(rewrite(equation(half(), quotient, {turn}), solved),
                                 turned(at(book["ratios." + which.ratio + "k"], {{k, N_B()}})));
   const Theorem back = at(book[which.name + ".angle"], {{k, N_B()}}, {assume(is_ratio)});
   book.show(which.name + "_only", "and that the ratio is a threshold:",
@@ -78,8 +77,7 @@ void together(Book& book) {
 /// 2V/(2 + alpha) <= b_t, as b_t = 2V/(2 + alpha) - 2V (1 + alpha)/(2 + alpha) cos(...) cos(...)
 Theorem at_least(Book& book) {
   const Expr early = N_B() * half(), late = (N_B() + 1) * half();
-  const Theorem falls = cosine_falls(linear(le(pi() / 2, late)));
-  const Theorem cos_late = linear(le(0, -cos(late)), {falls});
+  const Theorem cos_late = linear(le(0, -cos(late)), {cosine_falls(linear(le(pi() / 2, late)))});
   const Theorem form = equation(
       b_t(), 2 * V / (2 + alpha) - 2 * V * (1 + alpha) / (2 + alpha) * cos(late) * cos(early),
       {book["terminal.b"],
@@ -93,9 +91,8 @@ Theorem at_least(Book& book) {
 
 /// b_t at beta_k = 2V/(2 + beta_k)
 Theorem at_deficient(Book& book) {
-  const Expr ratio = fun("beta_", {k});
   const auto velocity = [&](const std::string& id) {
-    return part(at(book[id], {{alpha, ratio}}), 1);
+    return part(at(book[id], {{alpha, fun("beta_", {k})}}), 1);
   };
   return book.show("at_deficient", "and has just that at beta_k,",
                    chain(velocity("terminal.definitions"), velocity("deficient.terminal")));

@@ -59,8 +59,8 @@ struct Sums {
 
 /// 0 <= n, 0 <= j |- the sums for n + 1 from those for n, as the sum of two angles has it.
 Theorem one_more_angle(const Sums& s, const Theorem& pascal) {
-  const Theorem one_more = s.one_more_cosine();
   const auto coefficient = [&](Expr e) { return at(pascal, {{j, e}}); };
+  const Theorem one_more = s.one_more_cosine();
   const auto cosine = [&](Expr e) { return at(one_more, {{i, e}}); };
   const auto sine = [&](Expr e) { return s.pow_next(s_x, e); };
   const Theorem even_term =
@@ -139,7 +139,7 @@ void multiples(Book& book) {
   know(linear(le(0, less), {less_is, from_1}));
   const Theorem reaches = linear(le(n, 2 * less + 2), {less_is});
   const Theorem longer = part(at(are, {{m, less + 1}}, {reaches}), 1);
-  const Theorem zero = s.none(n, 2 * less + 3, {reaches, n_from_0});
+  const Theorem zero = cut(n_from_0, s.none(n, 2 * less + 3, {reaches}));
   const Theorem last = at(s.sums[3], {{j, less}});
   book.show("sin", "sec:nx", "and its sine the second one, up to (n - 1)/2:",
             equation(sin(n * x), sin_sum(n, less), {cut(n_from_0, longer), last, zero}));

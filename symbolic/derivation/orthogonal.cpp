@@ -71,11 +71,10 @@ Theorem orthogonal(Book& book, const Theorems& names, int size) {
     return arithmetic(eq(d, -1),
                       {.equations = {{-1, squared_determinant(o, is)}}, .multipliers = {t}});
   });
-  const Theorem either = tautology(logic_or({eq(d, 1), eq(d, -1)}), {other});
   book.show(size == 2 ? "plane_determinant" : "space_determinant",
             size == 2 ? "An orthogonal matrix of the plane has the determinant 1 or -1,"
                       : "An orthogonal matrix of space has the determinant 1 or -1, too,",
-            with_names(names, either));
+            with_names(names, tautology(logic_or({eq(d, 1), eq(d, -1)}), {other})));
   return is;
 }
 
@@ -99,7 +98,6 @@ Theorems in_the_plane(Book& book, const Theorems& names, const Theorem& is) {
     return arithmetic(eq(r, 0),
                       {.equations = {{-1, unit}, {p - 1, at_end}}, .multipliers = {moved}});
   });
-  const Theorem r_is_0 = tautology(eq(r, 0), {none});
   Theorems shown;
   for (const int sign : {1, -1}) {
     const Theorem value = restate(eq(p * s - q * r, sign), assume(eq(det(o), sign)));
@@ -124,7 +122,7 @@ Theorems in_the_plane(Book& book, const Theorems& names, const Theorem& is) {
                    : "With determinant -1 it is a rotation after a reflection,",
          turned_by(2 * angle, {cosine, sine}));
     show("_half", "or half a turn,",
-         turned_by(pi(), {axiom("cos pi"), axiom("sin pi"), at_end, r_is_0}));
+         turned_by(pi(), {axiom("cos pi"), axiom("sin pi"), at_end, tautology(eq(r, 0), {none})}));
   }
   return shown;
 }

@@ -35,12 +35,10 @@ void powers_of_lambda(Book& book) {
           }));
 
   // V_n = Lambda^n V_0
-  const Expr start = column({V, 0, 0});
-  const Theorem vector = book["cycle.vector"];
   book.show("V_n", "eq:V-n-0 eq:V-n-0-app", "and the velocities are",
             by_induction(
-                n, eq(V_vector(n), times(power(Lambda(), n), start)),
-                {at(vector, {{n, 0}}), power_0, book["cycle.start_vector"]},
+                n, eq(V_vector(n), times(power(Lambda(), n), column({V, 0, 0}))),
+                {at(book["cycle.vector"], {{n, 0}}), power_0, book["cycle.start_vector"]},
                 {canonical_form(at(book["cycle.recurrence"], {{n, n + 1}})), at(part(powers, 1))}));
 }
 
@@ -71,8 +69,7 @@ void powers(Book& book) {
   const Theorem turn = at(book["rotation.lambda_3"], {{x, n * psi()}});
   const Expr turned_frame = times(times(frame, right(turn)), transpose(frame));
   const Expr velocities = times(turned_frame, column({V, 0, 0}));
-  const Theorem rotated = rewrite(book["power.Lambda_n"], book["power.V_n"]);
-  Theorems rules{rotated, book["rotation.R"], turn};
+  Theorems rules{rewrite(book["power.Lambda_n"], book["power.V_n"]), book["rotation.R"], turn};
   for (const Theorem& t : entries(book["cycle.vector"])) rules.push_back(turned(t));
   Theorems derived;
   const auto multiplied = [&](const std::string& name, const std::string& words, Expr of, int row,

@@ -87,8 +87,7 @@ private:
 /// |- cos(pi/p) = -cos(2 h pi/p), h = (p - 1)/2
 Theorem opposite(const Periods& of) {
   const Expr t = pi() / of.p;
-  const Theorem turned_back = equation(cos(pi() - x), -cos(x), {}, {pi(), x});
-  const Theorem back = at(turned_back, {{x, t}});
+  const Theorem back = at(equation(cos(pi() - x), -cos(x), {}, {pi(), x}), {{x, t}});
   return linear(eq(cos(t), -of.cosine(of.p / 2)), {back});
 }
 /// |- cos(pi/5) = (1 + sqrt(5))/4, and what the cosine of 2 pi/5 is
@@ -166,8 +165,7 @@ void radicals(Book& book) {
   cosines.emplace(15, fifteenth(of_5.twice, cosines.at(3)));
   cosines.emplace(17, seventeenth(book));
   for (const int d : {4, 6, 8, 10, 12, 16, 20}) {
-    const Expr whole = angle_of(d / 2);
-    const Theorem half = at(half_of, {{x, whole}});
+    const Theorem half = at(half_of, {{x, angle_of(d / 2)}});
     const Theorem value = rewrite(cosines.at(d / 2), half);
     const Expr under_root = simplified(right(value).arg(0));
     const Theorem simpler = rewrite(equation(right(value).arg(0), under_root), value);

@@ -39,10 +39,9 @@ void ratio_of_angle(Book& book) {
 void rises(Book& book) {
   const Expr ratio = left(book["ratios.reached"]).arg(0);
   const Known range({assume(lt(0, x)), assume(lt(x, y)), assume(lt(y, edge))});
-  const Theorem cosines = cosine_falls(assume(lt(x, y)));
-  book.show(
-      "rises", "A larger angle is that of a larger ratio:",
-      linear(lt(ratio, substitute(ratio, {{x, y}})), {times(cosines, 1 / (cos(x) * cos(y)))}));
+  book.show("rises", "A larger angle is that of a larger ratio:",
+            linear(lt(ratio, substitute(ratio, {{x, y}})),
+                   {times(cosine_falls(assume(lt(x, y))), 1 / (cos(x) * cos(y)))}));
 }
 
 struct Threshold {
@@ -128,11 +127,10 @@ void order(Book& book) {
   });
   const Theorem is_half = tautology(eq(cosine, one_half), {other});
   book.show("third", "The cosine of a third of pi", is_half);
-  const Expr angle = pi() / (2 * Expr(1) + 1);
-  book.show(
-      "alpha_1", "and the first is 1:",
-      equation(fun("alpha_", {1}), 1,
-               {at(book["ratios.alpha_k"], {{k, 1}}), restate(eq(cos(angle), one_half), is_half)}));
+  book.show("alpha_1", "and the first is 1:",
+            equation(fun("alpha_", {1}), 1,
+                     {at(book["ratios.alpha_k"], {{k, 1}}),
+                      restate(eq(cos(pi() / (2 * Expr(1) + 1)), one_half), is_half)}));
 }
 
 /// A velocity of the chapter "power" at a threshold, where its angle is pi less `rest`.

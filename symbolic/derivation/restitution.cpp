@@ -47,9 +47,8 @@ void one_collision(Book& book) {
   };
   book.show("inverse_mass", "With 1/M_2 for M_2 the velocities are",
             instance(1 / M_2, {v_2_is, v_1_is}, [](Expr t) { return t; }));
-  const Theorem from_wall = solved_for(v_1, of_wall[1]);
   book.show("at_wall", "and with 0 for 1/M_2 those of a wall:",
-            instance(0, {from_wall, of_wall[0]}, [](Expr t) {
+            instance(0, {solved_for(v_1, of_wall[1]), of_wall[0]}, [](Expr t) {
               return simplified(t, {u_1, u_2});
             }));
 }

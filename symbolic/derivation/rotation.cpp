@@ -32,25 +32,14 @@ void angle(Book& book, Expr lambda) {
   const Theorem definition =
       book.name("psi", {alpha}, 2 * atan(t), {alpha_positive},
                 "From the trace of Lambda, 1 + 2 cos(psi), its angle psi:", "def:psi def:psi-app");
-  const Theorem half = linear(eq(atan(t), psi() / 2), {definition});
   const Theorem inside = equation(1 + power(t, 2), power(1 + alpha, 2));
-  const Theorem root = root_is(power(1 + alpha, 2), 1 + alpha);
-  const auto at_half = [&](const std::string& axiom_name) {
-    return rewrite(root, rewrite(inside, rewrite(half, at(axiom_name, {{x, t}}))));
-  };
-  const Theorem cos_half =
-      book.show("cos_half_psi", "table:trig", "Its half is an arctangent,", at_half("cos atan"));
-  const Theorem sin_half = book.show("sin_half_psi", "table:trig", "and", at_half("sin atan"));
+  show_angle(book, definition, {inside, root_is(power(1 + alpha, 2), 1 + alpha)}, cosine,
+             2 * t / power(1 + alpha, 2));
   know_for_good(book.show("psi_range", "The range of psi:",
                           both({positive(definition), linear(lt(psi(), pi()), {definition})})));
   know_for_good(book.show("half_signs",
                           "so that half of it has a positive sine and a positive cosine:",
                           both({positive(sin(psi() / 2)), positive(cos(psi() / 2))})));
-  const auto doubled = [&](Expr l, Expr r) {
-    return equation(l, r, {cos_half, sin_half}, {psi() / 2});
-  };
-  book.show("cos_psi", "table:trig", "The double angle", doubled(cos(psi()), cosine));
-  book.show("sin_psi", "table:trig", "and", doubled(sin(psi()), 2 * t / power(1 + alpha, 2)));
   book.show("trace", "agrees with the trace:",
             equation(trace(Lambda()), 1 + 2 * cos(psi()),
                      {book["cycle.Lambda"], book["rotation.cos_psi"]}));
@@ -58,8 +47,7 @@ void angle(Book& book, Expr lambda) {
 }  // namespace
 
 Theorem root_split(Book& book) {
-  const Expr product = sqrt(alpha) * sqrt(2 + alpha);
-  return root_is(right(book["rotation.psi"]).arg(1).arg(0).arg(0), product);
+  return root_is(right(book["rotation.psi"]).arg(1).arg(0).arg(0), sqrt(alpha) * sqrt(2 + alpha));
 }
 
 void rotation(Book& book) {
@@ -93,14 +81,13 @@ void rotation(Book& book) {
   book.show("axis_paper", "which is along the roots of the masses:",
             equation(third, column({1 / w, 1 / w, sqrt(alpha) / w}), with_frame));
   const Theorem quotient = root_is(alpha / (2 * (2 + alpha)), sqrt(alpha) / (sqrt(2) * w));
-  const Theorem other = root_is(2 / (2 + alpha), sqrt(2) / w);
   const Expr r2 = sqrt(2);
   const Expr q = sqrt(alpha / (2 * (2 + alpha)));
   book.show("R_paper", "eq:R-app", "As the paper writes it:",
             equation(R(),
                      matrix(3, {-1 / r2, -q, 1 / w, 1 / r2, -q, 1 / w, 0, sqrt(2 / (2 + alpha)),
                                 sqrt(alpha) / w}),
-                     Theorems{quotient, other} + with_frame));
+                     Theorems{quotient, root_is(2 / (2 + alpha), sqrt(2) / w)} + with_frame));
   book.show("R_orthogonal", "The frame is orthogonal:",
             equation(times(transpose(R()), R()), identity(3), with_frame));
   const Theorem turn_3 =

@@ -70,6 +70,9 @@ inline Expr column(const Exprs& entries) { return matrix(1, entries); }
 inline Theorem canonical_form(const Theorem& t) {
   return restate(kernel::canonical(t.conclusion()), t);
 }
+/// Shows cosine and sine of half of an angle and of it, from |- angle = 2 atan(t) and what
+/// rewrites sqrt(1 + t^2).
+void show_angle(Book& book, const Theorem& is, const Theorems& hypotenuse, Expr cosine, Expr sine);
 /// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
 Theorem root_split(Book& book);
 /// Names with the same parameters and domain.

@@ -108,8 +108,7 @@ void below_V(Book& book, const Theorem& facts) {
 void recoil(Book& book) {
   const Expr up = (N_A() + rational(1, 2)) * (psi() / 2),
              down = (N_A() - rational(1, 2)) * (psi() / 2);
-  const Theorem falls = cosine_falls(linear(le(pi() / 2, up)));
-  const Theorem cos_up = linear(le(0, -cos(up)), {falls});
+  const Theorem cos_up = linear(le(0, -cos(up)), {cosine_falls(linear(le(pi() / 2, up)))});
   const Theorem a_is =
       chain(part(book["terminal.definitions"], 0), at(book["power.a_product"], {{n, N_A()}}));
   book.show("a_recoils", "A does not go on forward:",

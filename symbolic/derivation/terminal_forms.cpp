@@ -7,13 +7,12 @@ namespace {
 /// |- 0 <= x implies sqrt(x^2) = x
 Theorem root_of_square() {
   const Expr s = sqrt(power(x, 2));
-  const Theorem square = not_negative(power(x, 2));
   const Theorem s_from_0 = at("root not negative", {{x, power(x, 2)}});
   return given(le(0, x), [&](const Theorem& x_from_0) {  // (s - x)(s + x) = 0
     const auto not_above = [&](Expr l, Expr r) {
       const Theorem above = assume(lt(r, l));
       const Theorem sum = linear(lt(0, l + r), {above, s_from_0, x_from_0});
-      return otherwise(le(l, r), {times(above, sum), root_squared(square)});
+      return otherwise(le(l, r), {times(above, sum), root_squared(not_negative(power(x, 2)))});
     };
     return linear(eq(s, x), {not_above(s, x), not_above(x, s)});
   });
@@ -46,7 +45,6 @@ void terminal_forms(Book& book, const Angle& a) {
                          f.name("t_minus", f("t_cosine") - f("rest_sine")),
                          f.name("w_plus", f("w_cosine") + f("rest_sine")),
                          f.name("b_form", 2 * f("w_plus") * f("t_cosine"))};
-  const Prover prover(book, a);
   const Theorem root = root_of_square();
 
   // Q_n last: r > 0; P_n last: r <= 0.
@@ -68,9 +66,8 @@ void terminal_forms(Book& book, const Angle& a) {
       const auto value = [&](std::size_t i, const std::string& id, Expr index, Expr goal) {
         const Theorem is = part(end, i);
         const Theorem form = at(book["power." + id], {{n, index}});
-        return prover.equal(left(is), V * goal,
-                            Theorems{is, form} + of_name + Theorems{sine, cosine},
-                            {angle, psi() / 4});
+        return a.equal(left(is), V * goal, Theorems{is, form} + of_name + Theorems{sine, cosine},
+                       {angle, psi() / 4});
       };
       return both({value(2, "a_product", N_A(), -f("t_minus") * f("t_plus")),
                    value(3, "b_product", Q_last ? N_A() : N_A() - 1, f("b_form")),
@@ -99,7 +96,6 @@ void terminal_forms(Book& book, const Angle& a) {
       book.show("rest_bounds", "where what is left is half a step at most:",
                 follows(bounds_of_rest, {with_sign(le(0, r), r), with_sign(lt(r, 0), -r)}));
   const Expr gap_angle = q - f("rest");
-  const Theorem sine_from_0 = sine_not_negative(gap_angle, {bounds, psi_is});
   const Theorem difference =
       equation(sin(gap_angle), sin(q) * f("rest_cosine") - cos(q) * f("rest_sine"),
                {turned(def_sine), turned(def_cosine)}, {q, f("rest")});
@@ -109,7 +105,7 @@ void terminal_forms(Book& book, const Angle& a) {
   book.show("sine_at_most", "and so",
             scaled(le(f("rest_sine"), f("t_cosine")),
                    le(cos(q) * f("rest_sine"), cos(q) * f("t_cosine")), 1 / cos(q),
-                   {difference, sine_from_0,
+                   {difference, sine_not_negative(gap_angle, {bounds, psi_is}),
                     equation(cos(q) * f("t_cosine"), sin(q) * f("rest_cosine"),
                              {of_name[0], a.tangent})}));
 }

@@ -141,11 +141,10 @@ void count_and_time(const Forms& forms) {
   know(positive(speed));
   const Theorem going = linear(lt(0, nearing(j)));
   const Theorem when = cut(going, book["any_start.instant"]);
-  const Theorem of_distances = at(book["any_start.speed"], start_with(d_A, d_B));
   const Theorem moment =
       forms.with({V, W, d_A, d_B}, "moment", left(when), forms.domain + Exprs{going.conclusion()});
   forms.show(moment, "Its time is", weighed(d_A, d_B, now, last) / left(reach),
-             {when, speed, of_distances});
+             {when, speed, at(book["any_start.speed"], start_with(d_A, d_B))});
 }
 }  // namespace
 

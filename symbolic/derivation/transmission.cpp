@@ -19,11 +19,10 @@ void energy(Book& book) {
   const auto energy = [&](Expr i) { return substitute(left(is), {{j, i}}); };
   Theorems step{is, at(is, {{j, j + 1}}), book["motion.closing"], book["cycle.turn_squared"]};
   for (const Theorem& next : parts({book["motion.next"]})) step.push_back(at(next));
-  const Expr gone = energy(j) - energy(j + 1);
   const Expr mass = is_P(j) * (M_A * M_C / (M_A + M_C)) + is_Q(j) * (M_C / (1 + w_B * M_C));
-  const Theorem lost =
-      book.show("collision", "Collision j takes from it, by the reduced mass of its two bodies,",
-                equation(gone, (1 - power(e, 2)) * mass * power(closing(j), 2), step));
+  const Theorem lost = book.show(
+      "collision", "Collision j takes from it, by the reduced mass of its two bodies,",
+      equation(energy(j) - energy(j + 1), (1 - power(e, 2)) * mass * power(closing(j), 2), step));
 
   const Known signs({book["wedge.signs"]});
   const Expr square = power(root_power(j), 2) * power(U(j), 2);
@@ -41,20 +40,18 @@ void energy(Book& book) {
   const auto remains = [&](Expr i) {
     return eq(energy(i), first - unit * fun("squares", {M_A, w_B, M_C, e, i}));
   };
-  const Theorem change = solved_for(energy(j + 1), alike);
   book.show("left", "after j collisions there is left",
             by_induction(j, remains(j), {at(is, {{j, 0}}), sum[0], book["motion.start"]},
-                         {change, at(sum[1])}));
+                         {solved_for(energy(j + 1), alike), at(sum[1])}));
   book.show("bounded",
             "never less than 0; so if e < 1, and collisions never end, the terms of that sum, and "
             "with them the approach speeds, tend to 0:",
             linear(le(unit * fun("squares", {M_A, w_B, M_C, e, j}), first),
                    {book["losses.left"], is, not_negative(right(is))}));
-  const Theorem at_most_1 = assume(le(e, 1));
   book.show(
       "falls", "and energy never rises:",
       linear(le(energy(j + 1), energy(j)),
-             {alike, product_of({at_most_1, positive(1 + e),
+             {alike, product_of({assume(le(e, 1)), positive(1 + e),
                                  not_negative(M_C * power(r_A(), 2) * power(V, 2) * square)})}));
 }
 

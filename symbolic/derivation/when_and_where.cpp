@@ -72,13 +72,12 @@ void until_the_next(Book& book) {
   know(assume(goes_further));
   shown("next", "and until the next collision all move on with their velocities:",
         under({goes_further}, both(next)));
-  const Theorem at_start = at(book["any_start.momentum"], start_with(0, L));
-  const Theorem carried =
-      shown("carried", "The centre of mass, if there is no wall, moves on evenly:",
-            equation(w_B * (M_A * A + M_C * C) + B, L + w_B * M_A * V * left(time),
-                     lines + Theorems{solved_for(velocity("B", j), from("momentum")),
-                                      solved_for(substitute(any_velocity("B", j), start_with(0, L)),
-                                                 at_start)}));
+  const Theorem carried = shown(
+      "carried", "The centre of mass, if there is no wall, moves on evenly:",
+      equation(w_B * (M_A * A + M_C * C) + B, L + w_B * M_A * V * left(time),
+               lines + Theorems{solved_for(velocity("B", j), from("momentum")),
+                                solved_for(substitute(any_velocity("B", j), start_with(0, L)),
+                                           at(book["any_start.momentum"], start_with(0, L)))}));
   const Expr D = B - A, all = mass_of_all();
   const Expr whole = L + w_B * M_A * V * left(time) - is_P(j) * D + is_Q(j) * (w_B * M_A * D);
   shown("place", "so the ball is at",
@@ -92,13 +91,12 @@ void collapse_in_time(Book& book) {
   for (const Theorem& positive_power : parts({neighbours})) know(positive_power);
   const Expr y_e = left(cut(from_1, book["collapse.y_e"])),
              unit = L * r_B() / (V * r_A() * sqrt(e));
-  const Expr left_over = right(part(neighbours, 0));
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}});
   know(linear(lt(0, U(j)), {rise}));
   const Theorem end_is = book.define("t_end", {M_A, w_B, M_C, e, V, L}, unit * y_e,
                                      of_wedge({lt(0, e), le(1, kappa()), V_positive, lt(0, L)}),
                                      "Where the collisions never end, there is a time");
-  const Expr rest = unit * left_over / U(j), per = unit / U(j);
+  const Expr rest = unit * right(part(neighbours, 0)) / U(j), per = unit / U(j);
   const Theorem closes = book["motion.never_ends"], in_time = cut(closes, book["places.time"]);
   know(closes);
   book.show(
