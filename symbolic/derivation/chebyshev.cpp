@@ -21,33 +21,29 @@ void chebyshev(Book& book) {
   const Theorem second =
       equation(U_x(1), 2 * x, {canonical_form(at(def[2], {{j, 0}})), def[0], def[1]});
   book.show("start", "The polynomials U_j are", under({from_0}, both({first, second})));
-  const Theorem next = book.show(
+  book.show(
       "next", "and on by the rule",
       equation(U_x(j + 2), 2 * x * U_x(j + 1) - U_x(j), {at(def[2], {{j, j + 1}}), last_after}));
 
-  const auto sine = [](Expr i) { return eq(U(i, cos(y)) * sin(y), sin((i + 1) * y)); };
+  const auto quotient = [](const char* of, Expr index, Expr turns) {
+    return eq(fun(of, {cos(y), index}) * sin(y), sin(turns * y));
+  };
   const auto at_cosine = [](const Theorem& t) { return at(t, {{x, cos(y)}}); };
-  book.show("sine", "Of a cosine they are quotients of sines,",
-            part(by_induction(j, logic_and({sine(j), sine(j + 1)}),
-                              {at_cosine(first), at_cosine(second)}, {at_cosine(next)}, {j * y, y}),
-                 0));
-  book.show("sine_last", "and so is the one before, U_last, which is 0 at first,",
-            by_induction(j, eq(fun("U_last", {cos(y), j}) * sin(y), sin(j * y)),
-                         {at_cosine(def[1]), axiom("sin 0")},
-                         {at_cosine(last_after), book["chebyshev.sine"]}));
-  const Theorem above_1 = assume(le(1, x));
+  const Theorem sines = by_induction(
+      j, logic_and({quotient("U", j, j + 1), quotient("U_last", j, j)}),
+      {at_cosine(first), at_cosine(def[1])}, {at_cosine(after), at_cosine(last_after)}, {j * y, y});
+  book.show("sine", "Of a cosine they are quotients of sines,", part(sines, 0));
+  book.show("sine_last", "and so is the one before, U_last, which is 0 at first,", part(sines, 1));
+  const auto large = [](Expr i) { return logic_and({le(i + 1, U_x(i)), le(last(i) + 1, U_x(i))}); };
+  const auto steps = [&](const Theorem& now) {
+    const Theorem factor = linear(lt(0, U_x(j)), {now});
+    return Theorems{now, after, last_after, times(assume(le(1, x)), factor)};
+  };
+  const Theorem rises =
+      by_induction(j, large(j), linear(large(0), {first, def[1]}),
+                   [&](const Theorem& now) { return linear(large(j + 1), steps(now)); });
   book.show("rise", "and from 1 on they rise with j by 1 or more,",
-            by_induction(j, logic_and({le(j + 1, U_x(j)), le(U_x(j) + 1, U_x(j + 1))}),
-                         both({linear(le(Expr(0) + 1, U_x(0)), {first}),
-                               restate(le(U_x(0) + 1, U_x(Expr(0) + Expr(1))),
-                                       linear(le(U_x(0) + 1, U_x(1)), {first, second, above_1}))}),
-                         [&](const Theorem& now) {
-                           const Theorem more = linear(le(j + 1 + 1, U_x(j + 1)), {now});
-                           const Theorem up = linear(
-                               le(U_x(j + 1) + 1, U_x(j + 2)),
-                               {next, now, times(above_1, linear(lt(0, U_x(j + 1)), {more}))});
-                           return both({more, restate(le(U_x(j + 1) + 1, U_x(j + 1 + 1)), up)});
-                         }));
+            linear(logic_and({le(j + 1, U_x(j)), le(U_x(j) + 1, U_x(j + 1))}), steps(rises)));
   const Theorem kept =
       by_induction(j, eq(power(U_x(j), 2), 1 - power(last(j), 2) + 2 * x * U_x(j) * last(j)),
                    {first, def[1]}, {after, last_after});
@@ -60,16 +56,13 @@ void chebyshev(Book& book) {
   const Theorem root = equation(power(y, 2), 2 * x * y - 1, {mean});
   const auto pow = [](Expr i) { return fun("pow", {y, i}); };
   const Theorems powers = parts({book["multiples.pow"]});
+  const Theorem before =
+      by_induction(j, eq(last(j), y * U_x(j) - pow(j + 1)),
+                   {first, def[1], canonical_form(at(powers[1], {{j, 0}})), powers[0]},
+                   {after, last_after, root, at(powers[1], {{j, j + 1}})});
   book.show(
       "distance",
       "and where x is the mean of y and 1/y, quotients of neighbours differ from y by its powers:",
-      by_induction(j, eq(y * U_x(j) - last(j), pow(j + 1)),
-                   equation(y * U_x(0) - last(0), pow(1),
-                            {first, def[1], canonical_form(at(powers[1], {{j, 0}})), powers[0]}),
-                   [&](const Theorem& now) {
-                     return equation(
-                         y * U_x(j + 1) - last(j + 1), pow(j + 2),
-                         {after, last_after, root, at(powers[1], {{j, j + 1}}), turned(now)});
-                   }));
+      linear(eq(y * U_x(j) - last(j), pow(j + 1)), {before}));
 }
 }  // namespace derivation

@@ -109,7 +109,8 @@ void count(Book& book, const Count& c) {
   const Theorem reached = scaled(le(pi(), end), le(0, ceil(c.turns) - c.turns), c.step);
   const Theorem within = scaled(le(end, 2 * pi()), lt(0, c.turns + 1 - ceil(c.turns)), c.step);
   const Theorem K_from_0 = linear(le(0, K), {positive(c.turns)});
-  const Theorem sine_end = at(at(sine_not_positive(), {{x, end}}, {reached}), {}, {within});
+  const Theorem sine_end =
+      at(at(book["counting.sine_past_pi"], {{x, end}}, {reached}), {}, {within});
   const Theorem at_K =
       tautology(substitute(none, {{j, K}}), {at(c.sign, {{j, K}}, {K_from_0}), sine_end});
   const Theorem found = at(least, {{j, K}}, {K_from_0, at_K});
@@ -134,17 +135,10 @@ void count(Book& book, const Count& c) {
                         }),
                   part(found, 1)}));
 }
-Theorem ceiling_is() {
-  static const Theorem result = [] {
-    const Expr is = eq(ceil(x), k), bounds = logic_and({lt(k - 1, x), le(x, k)});
-    return linear(iff(is, bounds));
-  }();
-  return result;
-}
-
 void counting(Book& book) {
   book.chapter("counting", "The number of collisions", {alpha_positive, V_positive, le(0, j)});
-  book.show("ceiling", "def:ceil", "Rounding up:", ceiling_is());
+  book.show("ceiling", "def:ceil",
+            "Rounding up:", linear(iff(eq(ceil(x), k), logic_and({lt(k - 1, x), le(x, k)}))));
   book.show("sine_past_pi", "The sine from pi to 2 pi:", sine_not_positive());
   number_of_collisions(book, approach_speed(book));
   shares(book);

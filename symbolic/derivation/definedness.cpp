@@ -29,11 +29,10 @@ bool proved(Expr condition, const Theorems& facts, const Exprs& given) {
   const auto has_sign = [&](Expr d, bool strict) {
     return holds(given, [&] { return sign_of(d, facts, strict); });
   };
-  if (negated) return has_sign(f.arg(0) - f.arg(1), true) || has_sign(f.arg(1) - f.arg(0), true);
-  if (f.op() == Op::Lt || f.op() == Op::Le)
-    return has_sign(f.arg(1) - f.arg(0), true) ||
-           (f.op() == Op::Le && has_sign(f.arg(1) - f.arg(0), false));
-  return false;
+  const Expr up = f.arg(1) - f.arg(0);
+  if (negated) return has_sign(f.arg(0) - f.arg(1), true) || has_sign(up, true);
+  return (f.op() == Op::Lt || f.op() == Op::Le) &&
+         (has_sign(up, true) || (f.op() == Op::Le && has_sign(up, false)));
 }
 }  // namespace
 

@@ -31,27 +31,23 @@ void number(Book& book) {
 }
 /// One statement for both: that all collisions take place, and that K is 1 or more.
 void endless(Book& book) {
-  const Expr K = left(book["collapse.def_K"]), i = integer("i");
-  const auto from_K = [&](Expr of_kappa, Expr of_K) {
-    return tautology(of_kappa, {book["collapse.threshold"], assume(of_K)});
-  };
-  const Theorem below = from_K(lt(kappa(), 1), lt(K, 1)), above = from_K(le(1, kappa()), le(1, K));
-  const Theorem every =
-      generalize(i, given(le(0, i), [&](const Theorem& from_0) {
-                   return cut(above, at(book["motion.never_ends"], {{j, i}}, {from_0}));
-                 }));
-  const Theorem number = cut(below, book["motion.N"]), is = cut(below, book["motion.def_N_e"]);
-  const Expr N = left(number);
-  const Theorem turns = cut(below, positive(right(number).arg(0).arg(0), {book["wedge.acute"]}));
-  const Theorem from_0 = linear(le(0, N), {number, turns});
-  const Theorem another =
-      tautology(lt(0, closing(N)), {specialize(assume(every.conclusion()), N), from_0});
-  const Known index({from_0});
-  const Theorem last = cut(below, part(at(book["any_start.happens"], {{W, 0}}), 1));
+  const Expr i = integer("i"), from_1 = le(1, kappa());
+  const Theorem every = generalize(i, given(le(0, i), [&](const Theorem& from_0) {
+                                     return at(book["motion.never_ends"], {{j, i}}, {from_0});
+                                   }));
+  const Theorem number = book["motion.N"], is = book["motion.def_N_e"];
+  const Expr N = left(number), always = every.conclusion();
+  const Theorem turns = positive(right(number).arg(0).arg(0), {book["wedge.acute"]});
+  const Known index({linear(le(0, N), {number, turns})});
+  const Theorem last = part(at(book["any_start.happens"], {{W, 0}}), 1);
   const Theorem ended = from_rest(book, rewrite(turned(is), last), {}, {N});
-  const Theorem ends = refute(lt(K, 1), linear(lt(0, 0), {another, ended}));
+  const Theorem another =
+      tautology(lt(0, closing(N)), {specialize(assume(always), N), linear(le(0, N))});
+  const Theorem ends = refute(always, linear(lt(0, 0), {another, ended}));
   book.show("endless", "The collisions never end if and only if K is 1 or more:",
-            equivalent(tautology(le(1, K), {ends}), every));
+            tautology(iff(always, le(1, left(book["collapse.def_K"]))),
+                      {book["collapse.threshold"], discharge(from_1, every),
+                       discharge(lt(kappa(), 1), ends)}));
 }
 }  // namespace
 

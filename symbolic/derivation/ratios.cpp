@@ -75,7 +75,7 @@ void threshold(Book& book, const Threshold& which) {
   const auto t = [&](Expr i) { return fun(which.name, {i}); };
   const auto counted = [&](Expr i) {
     const Expr meaning = logic_and({lt(i - 1, z), le(z, i)});
-    const Theorem ceiling = at(ceiling_is(), {{x, z}, {k, i}});
+    const Theorem ceiling = at(book["counting.ceiling"], {{x, z}, {k, i}});
     return restate(iff(eq(count, i), meaning), rewrite(turned(number), ceiling));
   };
   const Theorem of_angle = same_sign(iff(le(pi() / d, half()), le(z, k)), psi() / d, {from_1});

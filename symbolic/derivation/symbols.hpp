@@ -102,8 +102,6 @@ struct Count {
   Theorem sign;
 };
 void count(Book& book, const Count& c);
-/// |- ceil(x) = k if and only if k - 1 < x and x <= k
-Theorem ceiling_is();
 /// 0 < pi/d and pi/d < pi/2 for a denominator d that `facts` say to be above 2.
 Theorems range_of(Expr d, const Theorems& facts = {});
 
