@@ -5,7 +5,6 @@
 namespace derivation {
 namespace {
 Expr swing(Expr i) { return V * U(i) + W * r_e() * U_last(i); }
-/// Its factors are positive, but perhaps the last.
 void closed_form(Book& book, const Theorem& r_e_is) {
   const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
   const Theorems turns = parts({book["cycle.turn"]});
@@ -128,15 +127,8 @@ void collapse_from_any_start(Book& book) {
   know(of_collapse("collapse.neighbours"));
   const Expr y_e = left(of_collapse("collapse.y_e")), at_end = V + W * r_e() * y_e;
   const Theorem gap = part(of_collapse("collapse.neighbours"), 0);
-  const Theorem rise = part(at(book["chebyshev.rise"], {{x, kappa()}}), 0);
-  know(linear(lt(0, U(j)), {rise}));
-  const Theorems last = parts({at(book["chebyshev.last"], {{x, kappa()}})});
-  const Theorem last_from_0 = by_induction(
-      j, le(0, U_last(j)),
-      linear(le(0, U_last(0)), {part(at(book["chebyshev.last"], {{x, kappa()}, {j, 0}}), 0)}),
-      [&](const Theorem&) {
-        return linear(le(0, U_last(j + 1)), {last[1], rise});
-      });
+  const Theorems rise = parts({at(book["chebyshev.rise"], {{x, kappa()}})});
+  know(linear(lt(0, U(j)), rise));
   const Exprs endless = of_wedge({lt(0, e), le(1, kappa())});
   const Theorem speed =
       book.define("end_speed", any_start(), at_end, endless, "Where kappa is 1 or more, with");
@@ -148,10 +140,10 @@ void collapse_from_any_start(Book& book) {
       arithmetic(le(r * U(j), swing(j)),
                  {.equations = {{r - V, gap}, {U_last(j), speed}},
                   .products = {{1, {least[1], part(of_collapse("collapse.neighbours"), 1)}},
-                               {1, {least[2], last_from_0}}},
+                               {1, {least[2], linear(le(0, U_last(j)), rise)}}},
                   .multipliers = {positive(y_e)}});
   const Theorem rises = book.show("rises", "as long as B does not run away too fast the sum rises,",
-                                  linear(le((j + 1) * r, swing(j)), {above, times(rise, r)}));
+                                  linear(le((j + 1) * r, swing(j)), {above, times(rise[0], r)}));
   const Theorem rising = linear(lt(0, swing(j)), {above, positive(r * U(j))});
   know(rising);
   const Theorem closes =

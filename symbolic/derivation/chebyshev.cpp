@@ -34,7 +34,9 @@ void chebyshev(Book& book) {
       {at_cosine(first), at_cosine(def[1])}, {at_cosine(after), at_cosine(last_after)}, {j * y, y});
   book.show("sine", "Of a cosine they are quotients of sines,", part(sines, 0));
   book.show("sine_last", "and so is the one before, U_last, which is 0 at first,", part(sines, 1));
-  const auto large = [](Expr i) { return logic_and({le(i + 1, U_x(i)), le(last(i) + 1, U_x(i))}); };
+  const auto large = [](Expr i) {
+    return logic_and({le(i + 1, U_x(i)), le(last(i) + 1, U_x(i)), le(i, last(i))});
+  };
   const auto steps = [&](const Theorem& now) {
     const Theorem factor = linear(lt(0, U_x(j)), {now});
     return Theorems{now, after, last_after, times(assume(le(1, x)), factor)};
@@ -43,7 +45,8 @@ void chebyshev(Book& book) {
       by_induction(j, large(j), linear(large(0), {first, def[1]}),
                    [&](const Theorem& now) { return linear(large(j + 1), steps(now)); });
   book.show("rise", "and from 1 on they rise with j by 1 or more,",
-            linear(logic_and({le(j + 1, U_x(j)), le(U_x(j) + 1, U_x(j + 1))}), steps(rises)));
+            linear(logic_and({le(j + 1, U_x(j)), le(U_x(j) + 1, U_x(j + 1)), le(j, last(j))}),
+                   steps(rises)));
   const Theorem kept =
       by_induction(j, eq(power(U_x(j), 2), 1 - power(last(j), 2) + 2 * x * U_x(j) * last(j)),
                    {first, def[1]}, {after, last_after});

@@ -77,10 +77,9 @@ void shares(Book& book) {
   const Expr z = pi() / psi();
   const Theorem number = book["counting.N"];
   const Theorem enough = scaled(lt(1, z), lt(psi(), pi()), 1 / psi());
-  const Theorem N_from_2 = linear(le(2, N()), {enough, number});
-  know_for_good(
-      book.show("at_least", "each at least once:",
-                linear(logic_and({le(1, N_A()), le(1, N_B())}), {def_A, def_B, N_from_2})));
+  know_for_good(book.show("at_least", "each at least once:",
+                          linear(logic_and({le(1, N_A()), le(1, N_B())}),
+                                 {def_A, def_B, linear(le(2, N()), {enough, number})})));
   const Theorem N_up = linear(le(2 * z - 1, N()), {number});
   const Theorem N_down = linear(lt(N(), 2 * z), {number});
   // K = ceil(z - 1/2): 2K - 2 < N < 2K + 1, so K - 1 < N/2 <= K.

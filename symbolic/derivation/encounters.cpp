@@ -12,8 +12,7 @@ Expr sine(Expr times) { return sin(times * half()); }
 /// In the paper's case kappa is a cosine and the ratio of the sides is 1.
 Theorems rules_of_paper(Book& book) {
   const Theorem is_cosine = part(at(book["collapse.elastic"], {{M, 1}}), 0);
-  const Theorem kappa_is = restate(eq(in_paper(kappa()), cos(half())), is_cosine);
-  return without_losses(book, kappa_is) +
+  return without_losses(book, restate(eq(in_paper(kappa()), cos(half())), is_cosine)) +
          Theorems{chain(in_paper(book["wedge.r_A"]), turned(in_paper(book["wedge.r_B"])))};
 }
 }  // namespace

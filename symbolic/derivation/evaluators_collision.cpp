@@ -12,11 +12,10 @@ void first_of_B(Book& book) {
   const Known second({linear(lt(1, N()), {book["counting.shares"]})});
   const Theorem twice =
       equation(sine_of(Expr(1) + 1), 2 * sin(psi() / 2) * cos(psi() / 2), {}, {psi() / 2});
-  const Theorem once = equation(sine_of(1), sin(psi() / 2));
   for (const char* id : {"when", "apart"}) {
     const bool is_time = id == std::string("when");
     const Theorem t = at(book["encounters." + std::string(id)], {{j, 1}});
-    const Theorem is = rewrite(once, rewrite(twice, t));
+    const Theorem is = rewrite(equation(sine_of(1), sin(psi() / 2)), rewrite(twice, t));
     book.show(std::string(id) + "_1", is_time ? "That of B's first is" : "and",
               equation(left(is), (is_time ? L / V : L) * (rational(1, 2) * (1 + alpha)),
                        {is, book["rotation.cos_half_psi"]}));

@@ -138,7 +138,6 @@ Theorems cofactor_rule(Expr o, const Theorem& is) {
 /// In space: with determinant 1 there is an axis, with -1 there is one after the reflection P_3.
 void in_space(Book& book, const Theorems& names, const Theorem& is) {
   const Expr o = matrix_of_names(3), d = det(o), one = identity(3);
-  const Theorem d_is_1 = assume(eq(d, 1));
   Exprs less_1, without;
   const Exprs all = kernel::entries(o), products = kernel::entries(gram(o));
   for (std::size_t i = 0; i < 9; ++i) {
@@ -147,16 +146,15 @@ void in_space(Book& book, const Theorems& names, const Theorem& is) {
   }
   const Expr fixed = det(matrix(3, less_1));
   const Theorem product =
-      rewritten(entries(is) + Theorems{d_is_1},
+      rewritten(entries(is) + Theorems{assume(eq(d, 1))},
                 equation(d * fixed, det(matrix(3, without))));  // det(O^T) det(O - 1)
   book.show("axis", "With determinant 1 it has the eigenvalue 1, so that an axis stays as it is:",
             with_names(names, linear(eq(fixed, 0), {product})));
   const Theorem mirror = book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
                                    "The reflection of the third axis:");
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
-  const Expr image = times(o, right(mirror));
-  const Theorem kept =
-      rewrite(equation(right(mirror), P_3, {mirror}), linear(eq(gram(image), one), {is}));
+  const Theorem kept = rewrite(equation(right(mirror), P_3, {mirror}),
+                               linear(eq(gram(times(o, right(mirror))), one), {is}));
   book.show("space_reflection",
             "It changes the sign of a determinant, and applied twice it changes nothing, so that "
             "with determinant -1 the matrix is this reflection and then a rotation:",
@@ -227,7 +225,6 @@ void about_an_axis(Book& book, const Theorems& names, const Theorem& is, const T
     shape = rewrite(solved_for(entry(m, 2, i), last_row[std::size_t(i)]), shape);
   }
   const Expr block = matrix(2, {entry(m, 0, 0), entry(m, 0, 1), entry(m, 1, 0), entry(m, 1, 1)});
-  const Theorem orthogonal_block = linear(eq(gram(block), identity(2)), {rewrite(shape, of_s)});
   const Theorem product = equation(det(s), det(o) * power(d, 2));
   const Theorem determinant_1 =
       linear(eq(det(block), 1), {rewritten({shape, squared, d_is_1}, product)});
@@ -235,8 +232,8 @@ void about_an_axis(Book& book, const Theorems& names, const Theorem& is, const T
   for (std::size_t i = 0; i < 4; ++i)
     terms[kernel::entries(matrix_of_names(2))[i]] = kernel::entries(block)[i];
   const auto in_case = [&](const Theorem& in_the_plane, Expr given_angle) {
-    const Theorem plane =
-        cut(orthogonal_block, cut(determinant_1, instantiate(in_the_plane, terms)));
+    const Theorem plane = cut(linear(eq(gram(block), identity(2)), {rewrite(shape, of_s)}),
+                              cut(determinant_1, instantiate(in_the_plane, terms)));
     const Expr angle = right(plane).arg(0), turn = lambda_3(angle);
     const Theorem of_turn =
         linear(eq(right(shape), turn), {plane, at(book["ball.lambda"], {{x, angle}}),

@@ -25,13 +25,12 @@ void powers_of_lambda(Book& book) {
       "Lambda_n", "eq:Lambda-n-final eq:Lambda-n-final-txt", "So n cycles turn by n psi:",
       by_induction(
           n, eq(power(Lambda(), n), turned_frame(n * psi())), base, [&](const Theorem& now) {
-            const Theorem product = rewrite(now, at(part(powers, 1)));
             const Theorem added = equation(
                 times(Lambda(), turned_frame(n * psi())), turned_frame((n + 1) * psi()),
                 {book["cycle.Lambda"], split, frame, turned_by(n * psi()),
                  turned_by((n + 1) * psi()), book["rotation.cos_psi"], book["rotation.sin_psi"]},
                 {n * psi(), psi()});
-            return rewrite(added, product);
+            return rewrite(added, rewrite(now, at(part(powers, 1))));
           }));
 
   // V_n = Lambda^n V_0

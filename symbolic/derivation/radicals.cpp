@@ -165,8 +165,7 @@ void radicals(Book& book) {
   cosines.emplace(15, fifteenth(of_5.twice, cosines.at(3)));
   cosines.emplace(17, seventeenth(book));
   for (const int d : {4, 6, 8, 10, 12, 16, 20}) {
-    const Theorem half = at(half_of, {{x, angle_of(d / 2)}});
-    const Theorem value = rewrite(cosines.at(d / 2), half);
+    const Theorem value = rewrite(cosines.at(d / 2), at(half_of, {{x, angle_of(d / 2)}}));
     const Expr under_root = simplified(right(value).arg(0));
     const Theorem simpler = rewrite(equation(right(value).arg(0), under_root), value);
     cosines.emplace(d, restate(eq(cos(angle_of(d)), sqrt(under_root)), simpler));

@@ -82,15 +82,11 @@ Expr weighed(Expr of_A, Expr of_B, Expr sine, Expr sine_before) {
 /// is given and tau is 1.
 void places(const Forms& forms) {
   const Substitution distances = start_with(d_A, d_B);
-  const auto name = [&](const char* symbol, Expr v) {
+  const auto name = [&](const std::string& symbol, Expr v) {
     return forms.with({V, W, d_A, d_B, tau}, symbol, tau * v - substitute(v, distances),
                       forms.domain);
   };
   const auto twice = [&](const Theorem& t) { return Theorems{t, at(t, distances)}; };
-  const auto velocity = [&](const char* body, const char* id) {
-    const Theorem is = forms.book[id];
-    return twice(solved_for(any_velocity(body, j + 1), is));
-  };
   const Theorem turn_next = at(part(forms.book["cycle.turn"], 1));
   const Theorem pow_next = at(part(at(forms.book["multiples.pow"], {{y, sqrt(e)}}), 1));
   const Theorem speed = forms.book["any_start.speed"];
@@ -107,9 +103,10 @@ void places(const Forms& forms) {
   const Expr v = left(after), u = e * left(before), of_C = is_P(j) * v - is_Q(j) * u;
   const Expr momentum = substitute(any_momentum(), start_with(of_A, of_B));
   Theorems rules{turn_next, before, after};
-  const auto show = [&](const char* body, const char* words, Expr form, const char* id) {
-    const Theorem is = name((body + std::string("_at")).c_str(), any_velocity(body, j + 1));
-    forms.show(is, words, form, velocity(body, id) + rules);
+  const auto show = [&](const std::string& body, const char* words, Expr form, const char* id) {
+    const Expr velocity = any_velocity(body, j + 1);
+    const Theorem is = name(body + "_at", velocity);
+    forms.show(is, words, form, twice(solved_for(velocity, forms.book[id])) + rules);
     rules.push_back(is);
     return left(is);
   };
