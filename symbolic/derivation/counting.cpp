@@ -49,23 +49,6 @@ Theorem approach_speed(Book& book) {
                                    linear(le(2 * m, j))}));
 }
 
-void number_of_collisions(Book& book, const Theorem& speed) {
-  const Expr sine = sin(half_angle(j + 1));
-  const Theorem sign =
-      book.show("takes_place",
-                "Collision j takes place if and only if its bodies approach before it, so if "
-                "and only if the sine is positive:",
-                same_sign(iff(lt(0, approach(j)), lt(0, sine)), V / sin(psi() / 2), {speed}));
-  count(book, {"N",
-               {alpha, V},
-               {alpha_positive, V_positive},
-               approach,
-               half_angle,
-               psi(),
-               2 * pi() / psi(),
-               sign});
-}
-
 /// N_A = ceil(pi/psi - 1/2), N_B = ceil(pi/psi - 1) from N_A = ceil(N/2), N_B = N - N_A.
 void shares(Book& book) {
   const Exprs domain{alpha_positive, V_positive};
@@ -139,7 +122,15 @@ void counting(Book& book) {
   book.show("ceiling", "def:ceil",
             "Rounding up:", linear(iff(eq(ceil(x), k), logic_and({lt(k - 1, x), le(x, k)}))));
   book.show("sine_past_pi", "The sine from pi to 2 pi:", sine_not_positive());
-  number_of_collisions(book, approach_speed(book));
+  const Theorem speed = approach_speed(book);
+  const Expr sine = sin(half_angle(j + 1));
+  const Theorem sign =
+      book.show("takes_place",
+                "Collision j takes place if and only if its bodies approach before it, so if "
+                "and only if the sine is positive:",
+                same_sign(iff(lt(0, approach(j)), lt(0, sine)), V / sin(psi() / 2), {speed}));
+  const Exprs domain{alpha_positive, V_positive};
+  count(book, {"N", {alpha, V}, domain, approach, half_angle, psi(), 2 * pi() / psi(), sign});
   shares(book);
 }
 }  // namespace derivation

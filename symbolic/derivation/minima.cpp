@@ -89,15 +89,6 @@ Theorem at_least(Book& book) {
                    linear(le(2 * V / (2 + alpha), b_t()), {form, lack}));
 }
 
-/// b_t at beta_k = 2V/(2 + beta_k)
-Theorem at_deficient(Book& book) {
-  const auto velocity = [&](const std::string& id) {
-    return part(at(book[id], {{alpha, fun("beta_", {k})}}), 1);
-  };
-  return book.show("at_deficient", "and has just that at beta_k,",
-                   chain(velocity("terminal.definitions"), velocity("deficient.terminal")));
-}
-
 /// beta_k < alpha, alpha < alpha_k |- b_t at beta_k < b_t
 Theorem after_minimum(Book& book, const Theorem& velocity) {
   // Between them pi/(2k + 2) < psi/2 < pi/(2k + 1), so N_B = k.
@@ -149,9 +140,12 @@ void minima(Book& book) {
                     2 * V / (2 + alpha), -1 / (1 + alpha), 1, pi() - half()});
   together(book);
   const Theorem least = at_least(book);
-  const Theorem velocity = at_deficient(book);
-  const Theorem after = after_minimum(book, velocity);
   const Expr ratio = fun("beta_", {k});
+  const auto at_ratio = [&](const char* id) { return part(at(book[id], {{alpha, ratio}}), 1); };
+  const Theorem velocity =  // 2V/(2 + beta_k)
+      book.show("at_deficient", "and has just that at beta_k,",
+                chain(at_ratio("terminal.definitions"), at_ratio("deficient.terminal")));
+  const Theorem after = after_minimum(book, velocity);
   const Theorem before = given(lt(alpha, ratio), [&](const Theorem& t) {
     const Theorem gap = times(t, 2 * V / ((2 + alpha) * (2 + ratio)));
     return linear(after.conclusion(), {gap, least, velocity});

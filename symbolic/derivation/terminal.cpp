@@ -36,13 +36,6 @@ void kept_quantities(Book& book) {
                    {one_before(energy), at_P}));
 }
 
-/// The approach speeds before P_n and Q_n, by the velocities around them.
-Theorems approaches_of(Book& book) {
-  return {
-      restate(eq(approach(2 * n - 2), a(n - 1) - c_prime(n - 1)),
-              one_before(book["counting.approach_P"])),
-      restate(eq(approach(2 * n - 1), c(n) - b(n - 1)), one_before(book["counting.approach_Q"]))};
-}
 /// i < N |- 0 < approach_i, and |- approach_N <= 0
 Theorem going_on(Book& book, Expr i, const Theorems& facts) {
   const Theorem happens = at(book["counting.happens"], {{j, i}});
@@ -120,7 +113,10 @@ void recoil(Book& book) {
 void terminal(Book& book) {
   book.chapter("terminal", "Terminal velocities", {alpha_positive, V_positive, from_1});
   kept_quantities(book);
-  const Theorems approaches = approaches_of(book);
+  const Theorems approaches{
+      restate(eq(approach(2 * n - 2), a(n - 1) - c_prime(n - 1)),
+              one_before(book["counting.approach_P"])),
+      restate(eq(approach(2 * n - 1), c(n) - b(n - 1)), one_before(book["counting.approach_Q"]))};
   on_the_way(book, approaches);
   const Exprs domain{alpha_positive, V_positive};
   Theorems definitions;
