@@ -13,7 +13,13 @@ Expr angle(Expr index) { return index * psi() / 2; }
 Theorem cosine_at(const Theorem& definition, Expr index, Expr term) {
   return restate(eq(T(index), cos(term)), at(definition, {{m, index}}));
 }
-void doubling(Book& book, const Theorem& definition) {
+}  // namespace
+
+void exact_forms(Book& book) {
+  book.chapter("exact", "Exact forms", {alpha_positive, le(0, n)});
+  const Theorem cos_half = book["rotation.cos_half_psi"];
+  const Theorem definition =
+      book.define("T_", {alpha, m}, cos(angle(m)), {alpha_positive}, "The cosine of m half-angles");
   const auto at_index = [&](Expr index) { return cosine_at(definition, index, angle(index)); };
   const Theorem first = cosine_at(definition, 1, psi() / 2);
   book.show("T_0", "starts with", chain(cosine_at(definition, 0, 0), axiom("cos 0")));
@@ -24,16 +30,6 @@ void doubling(Book& book, const Theorem& definition) {
             equation(T(2 * m), 2 * power(T(m), 2) - 1, rules, bases));
   book.show("T_odd",
             "and to one more:", equation(T(2 * m + 1), 2 * T(m) * T(m + 1) - T(1), rules, bases));
-}
-}  // namespace
-
-void exact_forms(Book& book) {
-  book.chapter("exact", "Exact forms", {alpha_positive, le(0, n)});
-  const Theorem cos_half = book["rotation.cos_half_psi"];
-  const Theorem definition =
-      book.define("T_", {alpha, m}, cos(angle(m)), {alpha_positive}, "The cosine of m half-angles");
-  doubling(book, definition);
-
   const Expr d = 1 + alpha, last = n + rational(1, 2);
   const auto T_is = [&](Expr index, Expr term) { return cosine_at(definition, index, term); };
   const Theorem even = T_is(2 * n, n * psi()), odd = T_is(2 * n + 1, last * psi());
