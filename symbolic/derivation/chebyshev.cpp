@@ -38,8 +38,7 @@ void chebyshev(Book& book) {
     return logic_and({le(i + 1, U_x(i)), le(last(i) + 1, U_x(i)), le(i, last(i))});
   };
   const auto steps = [&](const Theorem& now) {
-    const Theorem factor = linear(lt(0, U_x(j)), {now});
-    return Theorems{now, after, last_after, times(assume(le(1, x)), factor)};
+    return Theorems{now, after, last_after, times(assume(le(1, x)), linear(lt(0, U_x(j)), {now}))};
   };
   const Theorem rises =
       by_induction(j, large(j), linear(large(0), {first, def[1]}),

@@ -116,9 +116,8 @@ void heavy_ball(Book& book) {
   const Theorem less = names.name("lead", 1 - alpha);
   const Expr i = of_alpha("per_mass"), f = of_alpha("share"), D = of_alpha("lead");
   Theorems steps{book["cycle.start_vector"]};
-  const Theorem zero = equation(Expr(1) - 1, 0);
   for (const char* id : {"cycle.P", "cycle.Q"})
-    steps = steps + parts({rewrite(zero, at(book[id], {{n, 1}}))});
+    steps = steps + parts({rewrite(equation(Expr(1) - 1, 0), at(book[id], {{n, 1}}))});
   const Theorems rules{share, less, rewrite(sum, part_of)};
   const auto show = [&](const std::string& name, Expr velocity, Expr form) {
     return book.show(name, name == "a" ? "the first velocities are" : "and",

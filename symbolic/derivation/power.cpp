@@ -7,8 +7,7 @@ namespace {
 const Expr from_0 = le(0, n), from_1 = le(1, n);
 
 void powers_of_lambda(Book& book) {
-  const Theorem def_turn = book["rotation.lambda_3"];
-  const auto turned_by = [&](Expr angle) { return at(def_turn, {{x, angle}}); };
+  const auto turned_by = [&](Expr angle) { return at(book["rotation.lambda_3"], {{x, angle}}); };
   book.show("angles_add", "Rotations about one axis add their angles:",
             equation(times(lambda_3(x), lambda_3(y)), lambda_3(x + y),
                      {turned_by(x), turned_by(y), turned_by(x + y)}, {x, y}));

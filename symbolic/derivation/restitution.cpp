@@ -88,7 +88,7 @@ void recurrence(Book& book, const Theorems& motion) {
   const Theorem second = equation(nearing(Expr(0) + 1), W + (1 + e) * (M_A / (M_A + M_C)) * V,
                                   Theorems{at(gain, {{j, 0}})} + start);
   book.show("first", "The first two speeds are",
-            both({equation(nearing(0), V, start), canonical_form(second)}));
+            both({equation(nearing(0), V, start), restate(eq(nearing(1), right(second)), second)}));
   const auto carried = [&](Expr i) {  // the momentum, times w_B
     return w_B * (M_A * any_velocity("A", i) + M_C * any_velocity("C", i)) + any_velocity("B", i);
   };

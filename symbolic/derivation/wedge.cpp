@@ -32,8 +32,7 @@ Theorems squared_shares(const Book& book) {
   Theorems out;
   for (const char* id : {"wedge.r_A", "wedge.r_B"}) {
     const Theorem r = book[id];
-    const Expr share = right(r).arg(0);
-    out.push_back(equation(power(left(r), 2), share, {r}));
+    out.push_back(equation(power(left(r), 2), right(r).arg(0), {r}));
   }
   return out;
 }
