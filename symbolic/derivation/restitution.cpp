@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Collisions that lose energy, and the motion of three bodies of any masses from any start: how
 // fast the two of each collision approach before it.
-#include "derivation/symbols.hpp"
 #include "derivation/wedge.hpp"
 
 namespace derivation {
