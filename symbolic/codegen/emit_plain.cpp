@@ -122,8 +122,10 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
     e.header +=
         "template <class Number>\nstruct " + structure + " {\n  Number " + outputs + ";\n};\n";
   const bool may_throw = branches.starts_with("  if (");
-  e.header += "/// " + q.name + of_paper + ": " + outputs + ". Domain: " +
-              (may_throw ? "as the error at its end says" : joined(domains, "; or ")) + ".\n";
+  const std::string what = "/// " + q.name + of_paper + ": " + outputs + ". Domain: ";
+  const std::string domain = joined(domains, "; or ");
+  const bool is_long = may_throw && what.size() + domain.size() > 98;
+  e.header += what + (is_long ? "as the error at its end says" : domain) + ".\n";
   if (!theorems.empty()) e.header += "/// Theorems: " + theorems + ".\n";
   e.header += "/// Operations: " + joined(counts, "; or ") + ".\n";
   if (!ceilings.empty())

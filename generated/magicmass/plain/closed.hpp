@@ -86,7 +86,7 @@ template <class Number>
 struct AngleClosed {
   Number psi;
 };
-/// angle (def:psi): psi. Domain: as the error at its end says.
+/// angle (def:psi): psi. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: rotation.psi.
 /// Operations: arctangents: 1, products: 2, roots: 1, sums: 1.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
@@ -103,7 +103,7 @@ template <class Number>
 struct MagicClosed {
   Number alpha_;
 };
-/// magic (exact:ak): alpha_. Domain: as the error at its end says.
+/// magic (exact:ak): alpha_. Domain: k from 1 to 1125899906842624.
 /// Theorems: ratios.alpha_k_paper.
 /// Operations: cosines: 1, products: 1, quotients: 2, sums: 2.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
@@ -121,7 +121,7 @@ template <class Number>
 struct DeficientClosed {
   Number beta_;
 };
-/// deficient (exact:bk): beta_. Domain: as the error at its end says.
+/// deficient (exact:bk): beta_. Domain: k from 1 to 1125899906842624.
 /// Theorems: ratios.beta_k_paper.
 /// Operations: cosines: 1, products: 1, quotients: 2, sums: 2.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1

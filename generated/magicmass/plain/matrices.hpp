@@ -13,7 +13,7 @@
 #include <stdexcept>
 
 namespace magicmass::generated {
-/// Gamma_A (eq:Gamma): Gamma_A. Domain: as the error at its end says.
+/// Gamma_A (eq:Gamma): Gamma_A. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: ball.Gamma, cycle.Gamma_A.
 /// Operations: products: 1, quotients: 2, roots: 1, sums: 2.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
@@ -30,7 +30,7 @@ std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
   }
   throw std::domain_error("Gamma_A: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
-/// Gamma_B (eq:Gamma): Gamma_B. Domain: as the error at its end says.
+/// Gamma_B (eq:Gamma): Gamma_B. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: ball.Gamma, cycle.Gamma_B.
 /// Operations: products: 1, quotients: 2, roots: 1, sums: 2.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
@@ -47,7 +47,7 @@ std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
   }
   throw std::domain_error("Gamma_B: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
-/// Lambda (eq:Lambda): Lambda. Domain: as the error at its end says.
+/// Lambda (eq:Lambda): Lambda. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: cycle.Lambda.
 /// Operations: products: 8, quotients: 3, roots: 1, sums: 2.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
@@ -69,7 +69,7 @@ std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
   }
   throw std::domain_error("Lambda: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
-/// R (def:R): R. Domain: as the error at its end says.
+/// R (def:R): R. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: rotation.R.
 /// Operations: quotients: 6, roots: 3, sums: 1.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
@@ -90,7 +90,7 @@ std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
   }
   throw std::domain_error("R: allowed: alpha from 0x1p-300 to 0x1p+300");
 }
-/// lambda_3 (eq:lambda-3): lambda_3. Domain: as the error at its end says.
+/// lambda_3 (eq:lambda-3): lambda_3. Domain: x from -0x1p+50 to 0x1p+50.
 /// Theorems: rotation.lambda_3.
 /// Operations: cosines: 1, sines: 1.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1

@@ -131,7 +131,7 @@ template <class Number>
 struct AngleTangent {
   Number psi;
 };
-/// angle (def:psi): psi. Domain: as the error at its end says.
+/// angle (def:psi): psi. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: evaluators.def_above, evaluators.def_w, evaluators.def_t, evaluators.def_half_h,
 ///   evaluators.psi.
 /// Operations: arctangents: 1, products: 3, quotients: 1, roots: 1, sums: 1.
