@@ -40,12 +40,34 @@ Theorem kappa_is_cosine(Book& book) {
   know(lossless(book, "wedge.acute"));
   return turned(lossless(book, "wedge.cosine"));
 }
+/// Where a body touches the next one, in the space of places times roots of masses.
+void walls(Book& book, const Theorem& cosine) {
+  const Expr s = sqrt(M_C), z = real("Z"), B = sqrt(w_B);
+  const Expr place = column({sqrt(M_A) * x, s * y, z});
+  const Expr A_C = column({s * r_A() / sqrt(M_A), -r_A(), 0});
+  const Expr C_B = column({0, r_B(), -B * s * r_B()});
+  const auto dot = [](Expr a, Expr b, Expr value) {
+    return eq(times(transpose(a), b), matrix(1, {value}));
+  };
+  book.show("walls",
+            "With the places of A and C times the roots of their masses, and that of B, which is "
+            "sqrt(w_B) Z, bodies touch where a product is 0:",
+            both({equation(dot(A_C, place, s * r_A() * (x - y))),
+                  equation(dot(C_B, place, s * r_B() * (y - B * z)))}));
+  const Theorem shape = lossless(book, "wedge.kappa");
+  const Theorems shares = squared_shares(book);
+  book.show(
+      "enclosed", "Those two vectors have the length 1, and their walls enclose the angle h:",
+      both({equation(dot(A_C, A_C, 1), shares), equation(dot(C_B, C_B, 1), shares),
+            equation(dot(A_C, C_B, -right(cosine)), {turned(cosine), shape, root_is(1, 1)})}));
+}
 void unfolded(Book& book) {
   const Expr going = substitute(lt(0, closing(j)), elastic);
   const Exprs assumptions = of_wedge({le(0, j), V_positive, lt(0, L), going});
   book.chapter("unfolded", "The unfolded wedge", assumptions);
   know(lossless(book, "wedge.signs"));
   const Theorem cosine = kappa_is_cosine(book);
+  walls(book, cosine);
   const Expr h = right(cosine).arg(0);
   const auto here = [&](Expr t) { return substitute(t, elastic); };
   const Expr all = mass_of_all(), unit = sqrt((M_A + M_C) / all);
