@@ -53,8 +53,8 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
   std::vector<Words> bounds;
   for (const Case& c : q.cases) {
     bounds.push_back(emit_case(q, c, e));
-    visits += "    if (" + condition(q, c) + ") {\n      return f.template operator()<" + Q +
-              capital(c.name) + ">();\n    }\n";
+    visits += "    if (" + condition(q, c) + ")\n      return f.template operator()<" + Q +
+              capital(c.name) + ">();\n";
   }
   const std::string of_arrays =
       !q.has_arrays ? ""

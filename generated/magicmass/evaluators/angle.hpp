@@ -71,9 +71,8 @@ struct Angle {
   /// is that of doubles, or (wide) of a number type without over- and underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
-    if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <= 0x1p+0) {
+    if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <= 0x1p+0)
       return f.template operator()<AngleSmall>();
-    }
     return 1.0;
   }
 };

@@ -145,13 +145,11 @@ struct Collision {
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <=
         0x1.fffffffffffffp-1 && double(in.j) >= 0x1p+1 && double(in.j) <= (is_wide ? 0x1p+63 :
-        0x1p+50)) {
+        0x1p+50))
       return f.template operator()<CollisionSmall>();
-    }
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <= (is_wide ?
-        0x1.fffffffffffffp+1023 : 0x1p+300) && double(in.j) >= 0x1p+0 && double(in.j) <= 0x1p+0) {
+        0x1.fffffffffffffp+1023 : 0x1p+300) && double(in.j) >= 0x1p+0 && double(in.j) <= 0x1p+0)
       return f.template operator()<CollisionFirst>();
-    }
     return 1.0;
   }
 };

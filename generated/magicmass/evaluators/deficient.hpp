@@ -71,9 +71,8 @@ struct Deficient {
   /// is that of doubles, or (wide) of a number type without over- and underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
-    if (double(in.k) >= 0x1p+0 && double(in.k) <= (is_wide ? 0x1p+63 : 0x1p+50)) {
+    if (double(in.k) >= 0x1p+0 && double(in.k) <= (is_wide ? 0x1p+63 : 0x1p+50))
       return f.template operator()<DeficientGeneral>();
-    }
     return 1.0;
   }
 };

@@ -210,9 +210,8 @@ struct Restitution {
     if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+190 :
         0x1p+60) && (in.w_B == 0 || in.w_B >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100)) &&
         in.w_B <= (is_wide ? 0x1p+128 : 0x1p+60) && in.e >= (is_wide ? 0x0.0000000000001p-1022 :
-        0x1p-100) && in.e <= 0x1p+0) {
+        0x1p-100) && in.e <= 0x1p+0)
       return f.template operator()<RestitutionGeneral>();
-    }
     return 1.0;
   }
 };

@@ -215,12 +215,10 @@ struct Terminal {
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.alpha <=
-        0x1.fffffffffffffp-1) {
+        0x1.fffffffffffffp-1)
       return f.template operator()<TerminalSmall>();
-    }
-    if (in.alpha >= 0x1p+0 && in.alpha <= (is_wide ? 0x1.fffffffffffffp+1023 : 0x1p+300)) {
+    if (in.alpha >= 0x1p+0 && in.alpha <= (is_wide ? 0x1.fffffffffffffp+1023 : 0x1p+300))
       return f.template operator()<TerminalFirst>();
-    }
     return 1.0;
   }
 };

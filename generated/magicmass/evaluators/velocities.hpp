@@ -192,13 +192,11 @@ struct Velocities {
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <=
         0x1.fffffffffffffp-1 && double(in.n) >= 0x0p+0 && double(in.n) <= (is_wide ? 0x1p+63 :
-        0x1p+50)) {
+        0x1p+50))
       return f.template operator()<VelocitiesSmall>();
-    }
     if (in.alpha >= 0x1p+0 && in.alpha <= (is_wide ? 0x1.fffffffffffffp+1023 : 0x1p+300) &&
-        double(in.n) >= 0x1p+0 && double(in.n) <= 0x1p+0) {
+        double(in.n) >= 0x1p+0 && double(in.n) <= 0x1p+0)
       return f.template operator()<VelocitiesFirst>();
-    }
     return 1.0;
   }
 };
