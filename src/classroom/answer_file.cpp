@@ -9,16 +9,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "answers/errors.hpp"
 #include "classroom/classroom.hpp"
 #include "host/child.hpp"
 
 namespace classroom {
 namespace {
 
-using answers::InvalidInput;
-using learn::Exercise;
-using learn::Judgement;
 using learn::Mark;
 
 constexpr std::size_t most_bytes = std::size_t{1} << 16U;
@@ -124,9 +120,9 @@ std::optional<Judgement> judged_file(const Exercise& e, const std::string& folde
 answers::Fields told(const Exercise& e, const Judgement& said) {
   std::vector<std::string> notes;
   for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
-  return {{"id", answers::text_cell(e.id)},
-          {"verdict", answers::text_cell(word(said.mark))},
-          {"feedback", answers::text_cell(said.feedback)},
+  return {{"id", text_cell(e.id)},
+          {"verdict", text_cell(word(said.mark))},
+          {"feedback", text_cell(said.feedback)},
           {"notes", notes.empty() ? answers::missing_cell() : answers::list_cell(notes)}};
 }
 

@@ -6,7 +6,6 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "answers/errors.hpp"
 #include "classroom/classroom.hpp"
 
 namespace classroom {
@@ -61,7 +60,7 @@ std::map<std::string, Attempts> attempts() {
   return all;
 }
 
-void remember(const learn::Exercise& e, learn::Judgement& said) {
+void remember(const Exercise& e, Judgement& said) {
   const std::string verdict = word(said.mark);
   const Attempts before = attempts()[e.id];  // nothing where there is no memory
   keep({e.id, verdict, said.misconception.empty() ? "" : answers::shown_text(said.misconception)});
@@ -75,7 +74,7 @@ void remember(const learn::Exercise& e, learn::Judgement& said) {
   said.feedback += " There are no more hints: magicmass learn solution " + e.id;
 }
 
-void remember_hint(const learn::Exercise& e, std::size_t number) {
+void remember_hint(const Exercise& e, std::size_t number) {
   keep({e.id, "hint " + std::to_string(number)});
 }
 

@@ -3,46 +3,46 @@
 // remembered, graded, and watched while they are written.
 #pragma once
 
-#include <functional>
-#include <map>
-#include <optional>
 #include <set>
-#include <string_view>
 
+#include "answers/errors.hpp"
 #include "answers/request.hpp"
-#include "learn/judge.hpp"
+#include "learn/exercise.hpp"
 
 namespace classroom {
+
+using answers::InvalidInput;
+using answers::text_cell;
+using learn::Exercise;
+using learn::Judgement;
 
 answers::Answer learn_by_exercises(const answers::Request& request);
 
 /// "half_angle.txt", or "collide.cpp" for code.
-std::string answer_file(const learn::Exercise& exercise);
+std::string answer_file(const Exercise& exercise);
 
 /// What is said of a file that looks like an answer but is none to these exercises; else nothing.
-std::optional<std::string> misnamed(const std::string& file,
-                                    const std::vector<learn::Exercise>& all);
+std::optional<std::string> misnamed(const std::string& file, const std::vector<Exercise>& all);
 
 /// What is said to the answer in a folder; nothing where there is none. Links, pipes, devices, and
 /// what is too long or no text are unread. Each is judged in a process of its own: one that is
 /// late, or ends that process, is undecided. What all answers need is computed once, before.
-std::optional<learn::Judgement> judged_file(const learn::Exercise& exercise,
-                                            const std::string& folder, const learn::Run& run,
-                                            unsigned seconds = 20);
+std::optional<Judgement> judged_file(const Exercise& exercise, const std::string& folder,
+                                     const learn::Run& run, unsigned seconds = 20);
 
 /// What is said to one answer.
-answers::Fields told(const learn::Exercise& exercise, const learn::Judgement& said);
+answers::Fields told(const Exercise& exercise, const Judgement& said);
 
 /// `learn grade CLASS [--only ID,ID] [--why or --summary]` of these exercises: in CLASS a folder
 /// for each student.
-answers::Answer grade(const answers::Request& request, const std::vector<learn::Exercise>& all,
+answers::Answer grade(const answers::Request& request, const std::vector<Exercise>& all,
                       const learn::Run& run);
 /// The exercise of this name; refused where there is none, with the one that may be meant.
-const learn::Exercise& named(const std::vector<learn::Exercise>& all, const std::string& id);
+const Exercise& named(const std::vector<Exercise>& all, const std::string& id);
 
 /// Says what it watches, then a block for each answer; after an empty piece all is to be seen.
 /// Goes on until say() throws, or the program ends.
-[[noreturn]] void watch(const std::vector<learn::Exercise>& all, const std::string& folder,
+[[noreturn]] void watch(const std::vector<Exercise>& all, const std::string& folder,
                         const learn::Run& run, const std::function<void(std::string_view)>& say);
 
 /// What a user answered before: a line an answer in answers.tsv, in the folder of their state.
@@ -56,14 +56,13 @@ struct Attempts {
 std::map<std::string, Attempts> attempts();
 /// Keeps what was said to an answer. From the third miss on, each adds to the feedback the next
 /// hint that was not shown yet, or else where the solution is.
-void remember(const learn::Exercise& exercise, learn::Judgement& said);
+void remember(const Exercise& exercise, Judgement& said);
 /// Keeps that a hint, counted from 1, was shown.
-void remember_hint(const learn::Exercise& exercise, std::size_t number);
+void remember_hint(const Exercise& exercise, std::size_t number);
 
 /// Compiles the answer with the exercise's driver and runs it with these inputs, once however often
 /// the results are asked for. No file of it is left, no process. Throws answers::Undecided where
 /// there is no compiler, or no filter of system calls: nothing is run without one.
-learn::Ran run_code(const learn::Exercise& exercise, const std::string& code,
-                    const learn::Rows& inputs);
+learn::Ran run_code(const Exercise& exercise, const std::string& code, const learn::Rows& inputs);
 
 }  // namespace classroom

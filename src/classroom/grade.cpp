@@ -3,15 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "answers/errors.hpp"
 #include "classroom/classroom.hpp"
 
 namespace classroom {
 namespace {
-
-using answers::InvalidInput;
-using answers::text_cell;
-using learn::Exercise;
 
 /// Letters in UTF-8, such as names of people have: none that directs the text around it.
 bool is_letters(const std::string& text) {
@@ -87,7 +82,7 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
         cell_of(request, is_letters(name) ? name : answers::shown_text(name));
     answers::Row& row = marks.rows.emplace_back(answers::Row{shown});
     for (std::size_t i = 0; i < exercises.size(); ++i) {
-      const std::optional<learn::Judgement> said = judged_file(exercises[i], student, run);
+      const std::optional<Judgement> said = judged_file(exercises[i], student, run);
       row.push_back(text_cell(said ? word(said->mark) : "missing"));
       if (!said) continue;
       const std::string& misconception = said->misconception;

@@ -2,22 +2,17 @@
 #include <filesystem>
 #include <fstream>
 
-#include "answers/errors.hpp"
 #include "classroom/classroom.hpp"
 #include "host/embedded.hpp"
-#include "magicmass/scenes/keys.hpp"
+#include "magicmass/scenes/files.hpp"
 
 namespace classroom {
 namespace {
 
 using answers::Answer;
-using answers::InvalidInput;
 using answers::one_row;
 using answers::Request;
-using answers::text_cell;
-using learn::Exercise;
-
-const std::string allowed_file = "a file of text";
+using magicmass::scenes::text_of;
 
 /// The program's exercises, or those of a folder or file, chapter by chapter.
 std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
@@ -29,9 +24,9 @@ std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
   } else if (std::filesystem::is_directory(place)) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
       if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "scenes")
-        texts.emplace(entry.path(), magicmass::scenes::text_of(entry.path(), allowed_file));
+        texts.emplace(entry.path(), text_of(entry.path()));
   } else {
-    texts.emplace(place, magicmass::scenes::text_of(place, allowed_file));
+    texts.emplace(place, text_of(place));
   }
   std::vector<Exercise> all;
   std::map<std::string, std::string> sources;
@@ -95,9 +90,8 @@ Answer check(const Request& request) {
   if (request.words.size() != (is_file ? 2 : 3))
     throw InvalidInput(
         "learn check: give an ID and one answer, in quotation marks, or --file FILE");
-  const std::string text =
-      is_file ? magicmass::scenes::text_of(request.text("file"), allowed_file) : request.words[2];
-  learn::Judgement said = judge(e, text, run_code);
+  const std::string text = is_file ? text_of(request.text("file")) : request.words[2];
+  Judgement said = judge(e, text, run_code);
   remember(e, said);
   answers::Fields fields = told(e, said);
   if (request.has("reveal")) fields.emplace_back("answer", text_cell(own_answer(e)));

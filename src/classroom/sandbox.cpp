@@ -15,7 +15,6 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include "answers/errors.hpp"
 #include "classroom/classroom.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
@@ -174,8 +173,7 @@ bool read_programs_only(const char*, const rlimit*) {
          ::syscall(SYS_landlock_restrict_self, rules, 0) == 0;
 }
 
-learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
-                            const learn::Rows& inputs) {
+learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const learn::Rows& inputs) {
   const host::TemporaryFolder folder("learn");
   std::ofstream(folder.path + "/answer.cpp") << code;
   for (const auto& [name, text] : host::all_embedded())
@@ -227,7 +225,7 @@ learn::Ran compiled_and_run(const learn::Exercise& e, const std::string& code,
 
 }  // namespace
 
-learn::Ran run_code(const learn::Exercise& e, const std::string& code, const learn::Rows& inputs) {
+learn::Ran run_code(const Exercise& e, const std::string& code, const learn::Rows& inputs) {
   static std::map<std::tuple<std::string, std::string, learn::Rows>, learn::Ran> known;
   const std::tuple key{e.driver, code, inputs};
   const auto found = known.find(key);

@@ -5,13 +5,10 @@
 #include <filesystem>
 #include <thread>
 
-#include "answers/errors.hpp"
 #include "classroom/classroom.hpp"
 
 namespace classroom {
 namespace {
-
-using learn::Exercise;
 
 constexpr std::chrono::milliseconds between_looks{150};
 
@@ -45,8 +42,8 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
   for (bool is_first = true;; is_first = false) {
     const std::filesystem::directory_iterator entries(place, error);
     if (error)
-      throw answers::InvalidInput("learn watch: cannot read the folder " +
-                                  answers::shown_text(folder, 200) + ": " + error.message());
+      throw InvalidInput("learn watch: cannot read the folder " + answers::shown_text(folder, 200) +
+                         ": " + error.message());
     for (const auto& entry : entries) {
       const std::string name = entry.path().filename();
       const auto found = std::ranges::find(all, name, answer_file);
@@ -62,7 +59,7 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       if (is_first) file.judged = *now;
       const bool is_written = std::exchange(file.last, *now) != *now;  // perhaps it goes on
       if (is_written || std::exchange(file.judged, *now) == *now) continue;
-      std::optional<learn::Judgement> said = judged_file(*found, place, run);
+      std::optional<Judgement> said = judged_file(*found, place, run);
       if (!said) continue;
       remember(*found, *said);
       tell("\n" + written(one_row(told(*found, *said)), answers::Format::text));

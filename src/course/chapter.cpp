@@ -7,16 +7,12 @@
 
 #include <cmark.h>
 
-#include "answers/errors.hpp"
-#include "learn/judge.hpp"
-#include "magicmass/scenes/keys.hpp"
+#include "magicmass/scenes/files.hpp"
 
 namespace course {
 namespace {
 
 namespace fs = std::filesystem;
-using answers::InvalidInput;
-using render::html_text;
 
 const std::string sections =
     "Goal, Derivation, Check it yourself, Exercises, Possibilities for extensions";
@@ -204,20 +200,18 @@ std::set<fs::path> files_in(const fs::path& folder) {
   return {fs::directory_iterator(folder), fs::directory_iterator()};
 }
 Chapter read_chapter(const fs::path& folder) {
-  const auto text = [](const fs::path& file) {
-    return magicmass::scenes::text_of(file, "a file of text");
-  };
+  using magicmass::scenes::text_of;
   const fs::path session = folder / "session.txt";
   Chapter chapter{folder.filename(),
                   folder / "intro.md",
-                  text(folder / "intro.md"),
-                  text(folder / "tutorial.cpp"),
-                  text(folder / "expected_output.txt"),
-                  fs::exists(session) ? text(session) : "",
+                  text_of(folder / "intro.md"),
+                  text_of(folder / "tutorial.cpp"),
+                  text_of(folder / "expected_output.txt"),
+                  fs::exists(session) ? text_of(session) : "",
                   {}};
   for (const fs::path& file : files_in(folder / "exercises"))
     if (file.extension() == ".toml")
-      chapter.exercises.push_back(learn::read_exercise(text(file), file));
+      chapter.exercises.push_back(learn::read_exercise(text_of(file), file));
   return chapter;
 }
 

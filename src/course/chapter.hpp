@@ -13,16 +13,16 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <set>
-#include <string>
-#include <vector>
 
+#include "answers/errors.hpp"
 #include "learn/exercise.hpp"
 #include "render/pages.hpp"
 
 namespace course {
 
+using answers::InvalidInput;
+using render::html_text;
 using Texts = std::map<std::string, std::string>;
 
 struct Chapter {

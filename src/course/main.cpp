@@ -4,18 +4,14 @@
 #include <iostream>
 
 #include "answers/derivation.hpp"
-#include "answers/errors.hpp"
 #include "course/chapter.hpp"
-#include "magicmass/scenes/keys.hpp"
+#include "magicmass/scenes/files.hpp"
 
 namespace {
 
+using magicmass::scenes::text_of;
 namespace fs = std::filesystem;
 using course::Chapter;
-
-std::string read(const fs::path& path) {
-  return magicmass::scenes::text_of(path, "a file of text");
-}
 
 /// Of a drawing, for those who cannot see it.
 std::string description(const std::string& svg) {
@@ -32,10 +28,10 @@ void make_course(const fs::path& tutorials, const fs::path& out) {
   course::Surroundings around{answers::derivation_sections(), {}, {}};
   for (const Chapter& c : chapters) around.chapters.emplace(c.name, title_of(c));
   for (const fs::path& file : course::files_in(out / "figures"))
-    around.figures[file.stem()] = description(read(file));
+    around.figures[file.stem()] = description(text_of(file));
   std::vector<course::Page> pages;
   for (const Chapter& c : chapters) pages.push_back({c.name, title_of(c), chapter_html(c, around)});
-  const std::string welcome = course::html_of(read(tutorials / "course/index.md"));
+  const std::string welcome = course::html_of(text_of(tutorials / "course/index.md"));
   for (const auto& [name, text] : files_of(pages, welcome, render::html_body(around.derivation)))
     if (!(std::ofstream(out / name) << text << std::flush))
       throw std::runtime_error("cannot write " + (out / name).string());

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Programs, held against exact results at just the doubles that they are given.
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include <cln/real.h>
 
-#include "answers/errors.hpp"
 #include "answers/table.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {
 namespace {
 
-using answers::InvalidInput;
 using cln::cl_RA;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

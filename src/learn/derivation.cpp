@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Derivations, a line after the other: each must be true, and a small step from what stands before.
-#include <algorithm>
 #include <span>
 
-#include "answers/errors.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {
@@ -37,7 +35,7 @@ notation::Typed typed(const Terms& terms, const std::string& text, std::size_t l
 /// Of an equation that the exercise states.
 std::pair<Expr, Expr> both_sides(const Terms& terms, const std::string& equation) {
   const Texts sides = split(equation, '=');
-  if (sides.size() != 2) throw answers::InvalidInput(equation + ": an equation is expected");
+  if (sides.size() != 2) throw InvalidInput(equation + ": an equation is expected");
   return {terms.content(sides[0]), terms.content(sides[1])};
 }
 

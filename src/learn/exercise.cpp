@@ -2,17 +2,23 @@
 #include "learn/exercise.hpp"
 
 #include <cctype>
+#include <regex>
+#include <sstream>
 
-#include "answers/errors.hpp"
 #include "learn/terms.hpp"
-#include "magicmass/scenes/keys.hpp"
+#include "magicmass/scenes/files.hpp"
 
 namespace learn {
 namespace {
 
-using answers::InvalidInput;
 using Pairs = std::map<std::string, std::string>;
 using Lists = std::vector<Texts>;
+
+/// Each once. No other file includes <regex>, which takes seconds to compile.
+const std::regex& compiled(const std::string& pattern) {
+  static std::map<std::string, std::regex> all;
+  return all.try_emplace(pattern, pattern).first->second;
+}
 
 /// Visits keys, each with the member for its value.
 template <class Visit, class Member, class... Others>
@@ -159,6 +165,44 @@ Exercise read_exercise(std::string_view text, const std::string& source, std::si
   for (Misconception& m : e.misconceptions)
     if (!m.replace.empty()) m.answers.push_back(reader.edited(file, e.solution_code, m.replace));
   return e;
+}
+
+Texts fields(const std::string& text, char separator) {
+  std::istringstream stream(text);
+  Texts all;
+  for (std::string field; std::getline(stream, field, separator);) all.push_back(field);
+  return all;
+}
+
+Texts split(const std::string& text, char separator) {
+  constexpr const char* blanks = " \t\r";
+  Texts parts;
+  for (const std::string& part : fields(text, separator))
+    if (const std::size_t begin = part.find_first_not_of(blanks); begin != part.npos)
+      parts.push_back(part.substr(begin, part.find_last_not_of(blanks) + 1 - begin));
+  return parts;
+}
+
+void replace_all(std::string& text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != text.npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+}
+
+Texts matched(const std::string& text, const std::string& pattern) {
+  std::smatch part;
+  if (!std::regex_match(text, part, compiled(pattern))) return {};
+  return {part.begin(), part.end()};
+}
+
+std::string replaced(const std::string& text, const std::string& pattern,
+                     const std::function<std::string(const Texts& part)>& by) {
+  std::string out;
+  auto rest = text.begin();
+  for (std::sregex_iterator it(rest, text.end(), compiled(pattern)), end; it != end; ++it) {
+    out.append(rest, it->prefix().second).append(by({it->begin(), it->end()}));
+    rest = it->suffix().first;
+  }
+  return out.append(rest, text.end());
 }
 
 }  // namespace learn

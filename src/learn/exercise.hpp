@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An exercise: a file of TOML that a teacher edits. Texts, cut and changed, and misspelt names.
+// An exercise: a file of TOML that a teacher edits. What is said to an answer: never a guess, and of
+// what was typed. Texts, cut and changed.
 #pragma once
 
+#include <algorithm>
 #include <functional>
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
+
+#include "magicmass/scenes/scene.hpp"
 
 namespace learn {
+using magicmass::scenes::meant;
 using Texts = std::vector<std::string>;
 
 /// Answers that are wrong for a known reason, and what is said to them.
@@ -57,6 +58,39 @@ struct Exercise {
 /// answers::InvalidInput, "FILE:LINE: ...", for what is no exercise.
 Exercise read_exercise(std::string_view text, const std::string& source, std::size_t variant = 0);
 
+using Numbers = std::vector<double>;
+using Rows = std::vector<Numbers>;
+
+/// What a program did that is an answer.
+struct Ran {
+  std::string unread = {};   ///< why it was not compiled
+  std::string stopped = {};  ///< why it came no further: "it crashed"
+  Rows rows = {};            ///< what it gave for each case, as far as it came
+};
+/// Runs an answer to the exercise: a row of inputs is a case. Who judges does not know how.
+using Run = std::function<Ran(const Exercise&, const std::string& code, const Rows& inputs)>;
+
+enum class Mark { right, other_form, incomplete, wrong, unread, undecided };
+const char* word(Mark mark);
+
+struct Judgement {
+  Mark mark = Mark::undecided;
+  std::string feedback;
+  Texts notes = {};                ///< how it was read, and where it has no value
+  std::string misconception = {};  ///< the name of the one that it shows
+};
+/// What is said to one answer; of kind code it is a program, which `run` runs.
+Judgement judge(const Exercise& exercise, const std::string& typed, const Run& run = {});
+
+/// What an answer may be, a line each: the choices; or its symbols, the name that it may be an
+/// equation for, its form; none of code.
+Texts rules(const Exercise& exercise);
+/// The answer as it is shown.
+std::string own_answer(const Exercise& exercise);
+/// What is wrong with the exercise itself: its own answer is not right, it differs from what the
+/// program says, the answer of a misconception is not recognised, or a starter is not wrong.
+Texts faults(const Exercise& exercise, const Run& run = {});
+
 /// What stands between the separators.
 Texts fields(const std::string& text, char separator);
 /// The same without blanks around each, and without those that are empty.
@@ -67,6 +101,4 @@ Texts matched(const std::string& text, const std::string& pattern);
 /// With something else for each part that matches: what `by` makes of the part and its groups.
 std::string replaced(const std::string& text, const std::string& pattern,
                      const std::function<std::string(const Texts& part)>& by);
-/// "; is hints meant?" of hint; otherwise that.
-std::string meant(const std::string& name, const Texts& names, const std::string& otherwise);
 }  // namespace learn

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The form in which an expression is written: factored, one fraction, and so on.
-#include <algorithm>
 
 #include "equality/normal_form.hpp"
 #include "learn/terms.hpp"

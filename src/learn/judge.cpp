@@ -1,9 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "learn/judge.hpp"
-
-#include <algorithm>
-
-#include "answers/errors.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {
@@ -74,7 +69,7 @@ bool are_true(const Terms& terms, const std::string& conditions) {
   for (const std::string& part : split(conditions, ','))
     for (const auto& [left, relation, right] : notation::read_comparisons(part)) {
       const auto is_true = equality::holds({terms.in_full(left), relation, terms.in_full(right)});
-      if (!is_true) throw answers::InvalidInput("when: " + part + ": not decided");
+      if (!is_true) throw InvalidInput("when: " + part + ": not decided");
       if (!*is_true) return false;
     }
   return true;
@@ -88,8 +83,7 @@ char right_choice(const Exercise& e) {
   for (std::size_t i = 0; i < e.when.size(); ++i)
     if (are_true(terms, e.when[i])) letters += char('a' + i);
   if (letters.size() != 1)
-    throw answers::InvalidInput("when: " + std::to_string(letters.size()) +
-                                " choices are right, not one");
+    throw InvalidInput("when: " + std::to_string(letters.size()) + " choices are right, not one");
   return letters[0];
 }
 

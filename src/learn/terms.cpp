@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "learn/terms.hpp"
 
-#include "answers/commands.hpp"
-#include "answers/errors.hpp"
-#include "answers/meanings.hpp"
+#include "answers/equality.hpp"
+#include "answers/question.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace learn {
 namespace {
-
-using answers::InvalidInput;
 
 /// The numbers that answer a question, by their columns' names. Of a scene: N, all its collisions,
 /// and the velocity of each body at the end, by its name.
@@ -143,7 +140,7 @@ std::string Terms::foreign(Expr term) const {
          (symbols.empty() ? "a number is asked for"
                           : "an answer may use " + answers::joined(exercise.symbols)) +
          (std::ranges::all_of(names, is_unit) ? ", without units" : "") +
-         (other.empty() ? meant(names[0], exercise.symbols, "") : "; is " + other + " meant?");
+         (other.empty() ? meant(names[0], exercise.symbols) : "; is " + other + " meant?");
 }
 
 Expr Terms::in_full(Expr term) const {

@@ -2,10 +2,12 @@
 // An exercise's expressions: read, given their values, compared.
 #pragma once
 
+#include "answers/errors.hpp"
 #include "equality/decide.hpp"
-#include "learn/judge.hpp"
+#include "learn/exercise.hpp"
 
 namespace learn {
+using answers::InvalidInput;
 using kernel::Expr;
 
 class Terms {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Large counts are found by bisection on the signs of closing speeds.
-#include "magicmass/oracle/count.hpp"
-
 #include <optional>
-#include <vector>
 
-#include "magicmass/oracle/collision_map.hpp"
-#include "magicmass/oracle/rational.hpp"
+#include "magicmass/oracle/quantities.hpp"
 
 namespace magicmass::oracle {
 namespace {

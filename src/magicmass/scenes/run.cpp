@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/run.hpp"
 
-#include "magicmass/scenes/theorem.hpp"
-
 namespace magicmass::scenes {
 namespace {
 

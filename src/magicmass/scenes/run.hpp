@@ -2,12 +2,8 @@
 // What a scene needs, and its motion.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <optional>
-#include <string>
 #include <variant>
-#include <vector>
 
 #include "magicmass/scenes/scene.hpp"
 #include "magicmass/simulator/engine.hpp"
@@ -70,5 +66,19 @@ using Points = std::function<void(const Point&)>;
 /// none, the corners of their lines: all bodies at time 0, those that meet at each collision that
 /// the scene wants to see, and all where the run ends.
 void trajectory(const Scene& scene, const Result& result, const Points& sink);
+
+inline constexpr const char* at_until = "the scene ends at the time `until`";
+std::string at_limit(std::int64_t limit);
+
+/// The run of a trio or a cradle, each number the nearest double; of what is few and exact only its
+/// plan, since there numbers may be just between doubles. Nothing for other scenes, and
+/// where a collision may be as late as `until`. Throws Undecided where
+/// a trio that nothing cuts off has more collisions than can be counted.
+std::optional<Result> by_theorem(const Scene& scene);
+/// Every so many of its collisions; of a collapse at least the first three, and more while doubles
+/// can tell their times apart.
+void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink);
+/// Where its bodies are at a time, which is after so many collisions at most.
+std::vector<double> places_by_theorem(const Scene& scene, std::int64_t most, const Value& time);
 
 }  // namespace magicmass::scenes

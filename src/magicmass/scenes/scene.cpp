@@ -2,6 +2,7 @@
 #include "magicmass/scenes/scene.hpp"
 
 #include <array>
+#include <iterator>
 
 #include "magicmass/numbers/errors.hpp"
 
@@ -79,6 +80,18 @@ void refuse_key(const Scene& scene, const std::string& key, const std::string& w
   throw InvalidInput(scene.source + ":" +
                      std::to_string(line == scene.lines.end() ? 1 : line->second) + ": " + key +
                      ": " + what + "; allowed: " + std::string(allowed));
+}
+
+std::string meant(const std::string& name, const std::vector<std::string>& names,
+                  const std::string& otherwise) {
+  for (const std::string& other : names) {
+    const auto [from, begin] = std::mismatch(name.begin(), name.end(), other.begin(), other.end());
+    const auto [to, end] = std::mismatch(name.rbegin(), std::make_reverse_iterator(from),
+                                         other.rbegin(), std::make_reverse_iterator(begin));
+    const auto letters = std::max(to.base() - from, end.base() - begin);
+    if (letters <= 2 && 2 * letters < std::ssize(other)) return "; is " + other + " meant?";
+  }
+  return otherwise;
 }
 
 }  // namespace magicmass::scenes

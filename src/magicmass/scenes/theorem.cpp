@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "magicmass/scenes/theorem.hpp"
+#include "magicmass/scenes/run.hpp"
+#include "magicmass/scenes/trio.hpp"
 
 namespace magicmass::scenes {
 namespace {
@@ -161,8 +162,10 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
   std::optional<Trio::Stepping> now;
   const std::int64_t end = collisions.value_or(INT64_MAX), step = stepped ? 1 : every;
   double before = -1;
+  std::size_t gap = 0;
   for (std::int64_t j = step - 1; j < end; j += std::min(step, end - j)) {
-    const auto row_of = [](const Trio::Collision& c) {
+    const auto row_of = [&](const Trio::Collision& c) {
+      gap = c.gap;
       return std::vector{c.time, c.position, c.v_left, c.v_right};
     };
     const Balls alone = [&] { return row_of(trios.collision(j)); };
@@ -181,7 +184,7 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
     const std::vector<double>& n = *row;
     if (!collisions && j >= 3 && n[0] == before) return;
     before = n[0];
-    if ((j + 1) % every == 0) sink({j + 1, trios.gap(j), n[0], n[1], n[2], n[3]});
+    if ((j + 1) % every == 0) sink({j + 1, gap, n[0], n[1], n[2], n[3]});
   }
 }
 

@@ -2,7 +2,6 @@
 #include "magicmass/scenes/trio.hpp"
 
 #include "magicmass/exact/exact.hpp"
-#include "magicmass/plain/closed.hpp"
 #include "magicmass/plain/restitution.hpp"
 
 namespace magicmass::scenes {
@@ -40,15 +39,6 @@ Ball power_of(const Trio::Shape& s, std::int64_t j) {
   return j % 2 == 0 ? power(s.e, j / 2) : power(s.e, j / 2) * sqrt(s.e);
 }
 }  // namespace
-
-Ball ball_of(const Value& value) {
-  const auto* const ratio = value.ratio();
-  if (!ratio) return ball_of(*value.exact());
-  const std::int64_t k = cln::cl_I_to_long(ratio->k);
-  if (k > std::int64_t(1) << 50U) throw Undecided(value.text + " is answered here up to k = 2^50");
-  return ratio->is_magic ? generated::magic_closed<Ball>(k).alpha_
-                         : generated::deficient_closed<Ball>(k).beta_;
-}
 
 std::optional<Trio> Trio::of(const Start& start) try {
   const auto& [masses, e, V, r, d_A, d_B, place, drift, sign] = start;
@@ -182,9 +172,9 @@ Ball Trio::place_of(const Ball& time, const Ball& place) const {
 Ball Trio::velocity_of(const Ball& u) const { return from_.sign * ball_of(from_.drift) + u; }
 Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& place,
                                const Velocities& u) const {
-  const std::size_t right = gap(j);
-  return {moment, place_of(moment, right == bodies() ? Ball(0) : place), velocity_of(u[right - 1]),
-          velocity_of(u[right])};
+  const std::size_t right = j % 2 == 0 ? 1 : 2;
+  const Ball position = place_of(moment, right == bodies() ? Ball(0) : place);
+  return {j + 1, right, moment, position, velocity_of(u[right - 1]), velocity_of(u[right])};
 }
 Trio::Velocities Trio::places_seen(const Shape& s, const Stepping::Start& from, const Ball& moment,
                                    std::int64_t collisions) const {
@@ -243,7 +233,7 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
 Trio::Collision Trio::collapse(const Shape& s) const {
   const auto end = end_of(s, start());
   const Ball time = end.t_any, v = velocity_of(end.v_any);
-  return {time, place_of(time, end.x_any), v, v};
+  return {0, 0, time, place_of(time, end.x_any), v, v};
 }
 std::vector<Ball> Trio::masses(const Shape& s) const {
   std::vector<Ball> all{ball_of(from_.masses[0]), s.C};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <iterator>
 
-#include "magicmass/scenes/theorem.hpp"
+#include "magicmass/scenes/trio.hpp"
 
 namespace magicmass::scenes {
 namespace {
@@ -120,36 +120,29 @@ std::vector<Ball> Trios::seen(std::vector<Ball> all) const {
   return all;
 }
 Trio::Collision Trios::seen(const Trio::Collision& c) const {
-  return is_mirrored_ ? Trio::Collision{c.time, -c.position, -c.v_right, -c.v_left} : c;
+  if (!is_mirrored_) return c;
+  return {c.number, bodies() - c.gap, c.time, -c.position, -c.v_right, -c.v_left};
 }
 Trio::Collision Trios::collision(std::int64_t j) const {
   const Moment m = moment(j);
-  Trio::Collision c{0, 0, 0, 0};
+  Trio::Collision c{};
   if (m.pair) {
     const Trio& trio = m.pair->trio;
     const Trio::Shape& of_pair = shape_of(*m.pair);
     c = trio.collision(of_pair, m.number);
     if (m.is_back) {
       const std::vector<Ball> earlier = trio.velocities(of_pair, m.number);
-      const std::size_t right = trio.gap(m.number);
-      c.v_left = -earlier[right - 1];
-      c.v_right = -earlier[right];
+      c.v_left = -earlier[c.gap - 1];
+      c.v_right = -earlier[c.gap];
     }
+    c.gap += static_cast<std::size_t>(m.pair->first);
   } else {
     const Quadratic& wall = m.is_back ? *behind_ : *ahead_;
-    c = {ball_of(time_at(wall)), ball_of(wall), 0, 0};
+    c = {0, m.is_back ? 0 : bodies(), ball_of(time_at(wall)), ball_of(wall), 0, 0};
     (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Quadratic(0) - V_);
   }
   c.time = ball_of(m.from) + (m.is_back ? -c.time : c.time);
   return seen(c);
-}
-std::size_t Trios::gap(std::int64_t j) const {
-  const Moment m = moment(j);
-  const std::size_t gap = m.pair
-                              ? static_cast<std::size_t>(m.pair->first) + m.pair->trio.gap(m.number)
-                          : m.is_back ? 0
-                                      : bodies();
-  return is_mirrored_ ? bodies() - gap : gap;
 }
 std::vector<Ball> Trios::velocities(std::int64_t collisions) const {
   const bool is_back = moment(collisions).is_back;

@@ -6,6 +6,7 @@
 #include <cln/integer_io.h>
 
 #include "magicmass/numbers/accurate.hpp"
+#include "magicmass/plain/closed.hpp"
 #include "notation/read.hpp"
 
 namespace magicmass::scenes {
@@ -74,6 +75,15 @@ double Value::to_double() const {
   }
   if (const auto value = exact()->to_double()) return *value;
   throw Undecided(text.substr(0, 60) + " does not fit a double; --exact may do");
+}
+
+Ball ball_of(const Value& value) {
+  const auto* const ratio = value.ratio();
+  if (!ratio) return ball_of(*value.exact());
+  const std::int64_t k = cln::cl_I_to_long(ratio->k);
+  if (k > std::int64_t(1) << 50U) throw Undecided(value.text + " is answered here up to k = 2^50");
+  return ratio->is_magic ? generated::magic_closed<Ball>(k).alpha_
+                         : generated::deficient_closed<Ball>(k).beta_;
 }
 
 std::optional<Value> difference(const Value& x, const Value& y) try {

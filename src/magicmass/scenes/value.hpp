@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A number as a scene writes it, kept as what it is.
+// A number as a scene writes it, kept as what it is; and balls, with as many bits as it takes.
 #pragma once
 
 #include <concepts>
@@ -9,10 +9,16 @@
 #include <variant>
 
 #include "balls/quadratic.hpp"
+#include "magicmass/numbers/errors.hpp"
 #include "notation/alpha.hpp"
 
 namespace magicmass::scenes {
 
+using balls::Ball;
+using balls::decimal;
+using balls::exact;
+using balls::nearest_double;
+using balls::NotCertain;
 using balls::Quadratic;
 
 struct Value {
@@ -52,5 +58,25 @@ Value read_value(std::string_view text);
 /// A number that TOML has read.
 Value value_of(double number);
 Value value_of(const notation::Alpha& ratio);
+
+/// Throws Undecided for a ratio of the paper whose number is above 2^50.
+Ball ball_of(const Value& value);
+
+/// What is computed, with more and more bits until it is something. Throws Undecided, so many "bits
+/// would be needed" and `otherwise`, where many times the bits of `digits` decimal digits are too
+/// few.
+template <class Compute>
+auto with_bits(int digits, const Compute& compute, const std::string& otherwise = "") {
+  const int wanted = 4 * digits;
+  const int most = 8192 + 4 * wanted;  // a double near 2^-1074 with its count takes some 3,000
+  for (int bits = 128 + wanted; bits <= most; bits *= 2) {
+    Ball::set_bits(bits);
+    try {
+      if (const auto result = std::optional(compute())) return *result;
+    } catch (const NotCertain&) {
+    }
+  }
+  throw Undecided("more than " + std::to_string(most) + " bits would be needed" + otherwise);
+}
 
 }  // namespace magicmass::scenes

@@ -2,16 +2,12 @@
 // The event engine: a collision costs O(log bodies), and a body is moved only when it is met.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
+#include <bit>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <span>
 #include <stdexcept>
-#include <vector>
+#include <tuple>
 
-#include "magicmass/simulator/due_times.hpp"
 #include "magicmass/simulator/rounding_margin.hpp"
 
 namespace magicmass::simulator {
@@ -25,6 +21,51 @@ struct Collision {
   Scalar position;
   Scalar v_left;   ///< just after it; 0 for a wall
   Scalar v_right;  ///< likewise
+};
+
+/// When a gap closes. What closes at the same time is told apart by what a mirror shows, too: the
+/// faster first, then the pair of the larger mass.
+template <Field Scalar>
+struct Due {
+  Scalar time;
+  Scalar closing;  ///< speed, > 0
+  Scalar mass;     ///< of the bodies beside the gap
+
+  bool operator==(const Due&) const = default;
+  friend bool operator<(const Due& x, const Due& y) {
+    return std::tie(x.time, y.closing, y.mass) < std::tie(y.time, x.closing, x.mass);
+  }
+};
+
+/// Which gap closes first: a tournament, a binary heap whose leaves stay in place. A change costs
+/// O(log gaps) comparisons.
+template <Field Scalar>
+class DueTimes {
+public:
+  using Entry = std::optional<Due<Scalar>>;  ///< nothing: never
+
+  explicit DueTimes(std::size_t gaps) : due_(std::bit_ceil(gaps)), winner_(2 * due_.size()) {
+    for (std::size_t gap = 0; gap < due_.size(); ++gap) winner_[due_.size() + gap] = gap;
+    for (std::size_t node = due_.size(); node-- > 1;) winner_[node] = winner_[2 * node];
+  }
+
+  const Entry& operator[](std::size_t gap) const { return due_[gap]; }
+  void set(std::size_t gap, Entry due) {
+    due_[gap] = std::move(due);
+    for (std::size_t node = (due_.size() + gap) / 2; node > 0; node /= 2) {
+      const std::size_t left = winner_[2 * node];
+      const std::size_t right = winner_[2 * node + 1];
+      winner_[node] = is_sooner(due_[right], due_[left]) ? right : left;
+    }
+  }
+  /// The gap that closes first, of equals the leftmost; any one where none does.
+  std::size_t first() const { return winner_[1]; }
+
+private:
+  std::vector<Entry> due_;
+  std::vector<std::size_t> winner_;  // of node n; nodes 2n and 2n + 1 are below it
+
+  static bool is_sooner(const Entry& x, const Entry& y) { return x && (!y || *x < *y); }
 };
 
 struct Ties {
@@ -100,7 +141,7 @@ public:
   /// time at which two meet that approach. No next collision then says nothing about the motion.
   bool has_lost() const {
     for (std::size_t gap = 0; gap + 1 < all_.size(); ++gap)
-      if (closes(gap) && Scalar(0) < closing(gap) && !due_[gap]) return true;
+      if (closes(gap) && Scalar(0) < sides(gap).closing() && !due_[gap]) return true;
     return lost_rebound_;
   }
 
@@ -129,15 +170,12 @@ private:
   Scalar place(std::size_t i, const Scalar& time) const {
     return all_[i].position + all_[i].velocity * (time - all_[i].since);
   }
-  Scalar closing(std::size_t gap) const { return all_[gap].velocity - all_[gap + 1].velocity; }
-  Sides<Scalar> sides(std::size_t gap) const requires rounds {
-    return {all_[gap].mass, all_[gap].velocity, all_[gap + 1].mass, all_[gap + 1].velocity};
-  }
+  Sides<Scalar> sides(std::size_t gap) const { return {all_[gap], all_[gap + 1]}; }
 
   void schedule(std::size_t gap) {
     if (gap + 1 >= all_.size() || !closes(gap)) return;
     note_near_rest(gap);
-    const Scalar speed = closing(gap);
+    const Scalar speed = sides(gap).closing();
     due_.set(gap, std::nullopt);
     if (!(Scalar(0) < speed)) return;
     const Scalar width = place(gap + 1, now_) - place(gap, now_);
@@ -214,7 +252,8 @@ private:
   }
   void tell(std::size_t gap) {
     if constexpr (rounds)
-      lost_rebound_ = lost_rebound_ || !(closing(gap) <= -std::numeric_limits<Scalar>::min());
+      lost_rebound_ =
+          lost_rebound_ || !(sides(gap).closing() <= -std::numeric_limits<Scalar>::min());
     collisions_.push_back(
         {++number_, gap, now_, all_[gap].position, all_[gap].velocity, all_[gap + 1].velocity});
   }

@@ -2,9 +2,7 @@
 // How far a motion in floating point may be from the exact one, while each decision was the same.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <concepts>
 #include <limits>
 
 #include "magicmass/simulator/line.hpp"
@@ -14,11 +12,11 @@ namespace magicmass::simulator {
 /// What is on the two sides of a gap. A wall has infinite mass and velocity 0.
 template <Field Scalar>
 struct Sides {
-  Scalar m1, u1;  ///< left
-  Scalar m2, u2;  ///< right
+  const Body<Scalar>&left, &right;
 
-  Scalar closing() const { return u1 - u2; }
-  Scalar spread() const { return std::sqrt(1 / m1 + 1 / m2); }
+  Scalar closing() const { return left.velocity - right.velocity; }
+  Scalar spread() const { return std::sqrt(1 / left.mass + 1 / right.mass); }
+  Scalar speeds() const { return std::abs(left.velocity) + std::abs(right.velocity); }
 };
 
 /// How far times and places of collisions, and velocities, may be off at most; or infinite.
@@ -66,8 +64,8 @@ public:
 
   /// A collision at this time; what is only swapped or turned round is not rounded.
   void add_collision(Scalar time, const Sides<Scalar>& before, bool rounds) {
-    const Scalar r1 = root(before.m1), r2 = root(before.m2);
-    const Scalar s = r1 * std::abs(before.u1) + r2 * std::abs(before.u2);
+    const Scalar r1 = root(before.left.mass), r2 = root(before.right.mass);
+    const Scalar s = r1 * std::abs(before.left.velocity) + r2 * std::abs(before.right.velocity);
     positions_ += velocities_ * (time - last_);
     const Scalar slowest = before.closing() - velocities_ * before.spread();
     const Scalar off = slowest > 0 ? error(before, positions_, size_, time) / slowest
@@ -95,8 +93,7 @@ public:
     const Scalar c1 = first.closing(), c2 = second.closing();
     const Scalar later = time + apart;
     const Scalar positions = positions_ + velocities_ * (later - last_);
-    const Scalar reach = size_ + apart * (std::abs(first.u1) + std::abs(first.u2) +
-                                          std::abs(second.u1) + std::abs(second.u2));
+    const Scalar reach = size_ + apart * (first.speeds() + second.speeds());
     return !(error(first, positions, reach, later) * c2 +
                  error(second, positions, reach, later) * c1 <
              apart * c1 * c2);

@@ -5,8 +5,8 @@
 #include "answers/errors.hpp"
 #include "catch.hpp"
 #include "host/embedded.hpp"
-#include "learn/judge.hpp"
-#include "magicmass/scenes/keys.hpp"
+#include "learn/exercise.hpp"
+#include "magicmass/scenes/files.hpp"
 #include "rows.hpp"
 
 using learn::Exercise;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Cradles by theorem, against the engine in exact numbers and in doubles; and where bodies are.
+#include <cmath>
 #include <random>
+#include <utility>
 
-#include "magicmass/scenes/keys.hpp"
+#include "catch.hpp"
+#include "magicmass/scenes/files.hpp"
 #include "runs.hpp"
 
 using namespace magicmass::scenes;

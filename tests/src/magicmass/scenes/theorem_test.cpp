@@ -69,7 +69,7 @@ void compare(const Trio& trio, const std::vector<Step>& rows, const Line& after)
     INFO(j);
     const auto index = std::int64_t(j);
     const Trio::Collision c = trio.collision(shape, index);
-    REQUIRE(trio.gap(index) == rows[j].gap);
+    REQUIRE(c.gap == rows[j].gap);
     REQUIRE(holds(c.time, rows[j].time));
     REQUIRE(holds(c.position, rows[j].position));
     REQUIRE(holds(c.v_left, rows[j].v_left));
