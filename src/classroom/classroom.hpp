@@ -3,6 +3,8 @@
 // remembered, graded, and watched while they are written.
 #pragma once
 
+#include <algorithm>
+#include <filesystem>
 #include <set>
 
 #include "answers/errors.hpp"

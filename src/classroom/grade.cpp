@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The answers of a class: a folder for each student, a file for each answer.
-#include <algorithm>
-#include <filesystem>
-
 #include "classroom/classroom.hpp"
 
 namespace classroom {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <filesystem>
 #include <fstream>
 
 #include "classroom/classroom.hpp"
@@ -29,11 +28,12 @@ std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
     texts.emplace(place, text_of(place));
   }
   std::vector<Exercise> all;
-  std::map<std::string, std::string> sources;
   for (const auto& [source, text] : texts) {
-    all.push_back(learn::read_exercise(text, source, variant));
-    const auto [first, is_new] = sources.emplace(all.back().id, source);
-    if (!is_new) throw InvalidInput(source + ": the id of " + first->second + " once more");
+    const Exercise e = learn::read_exercise(text, source, variant);
+    for (const Exercise& other : all)
+      if (other.id == e.id)
+        throw InvalidInput(source + ": the id of " + other.source + " once more");
+    all.push_back(e);
   }
   if (all.empty()) throw InvalidInput("learn: no exercises in " + answers::shown_text(place));
   return all;
@@ -56,19 +56,17 @@ Answer document(const Request& request, const Exercise& e, const std::string& te
 }
 
 Answer list(const Request& request) {
-  Answer answer;
-  answer.table.columns = {"id", "done", "title", "kind", "chapter"};
+  answers::Table table{{"id", "done", "title", "kind", "chapter"}, {}};
+  const std::size_t columns = request.format == "text" ? 3 : 5;  // so that it fits on a screen
+  table.columns.resize(columns);
   std::map<std::string, Attempts> before = attempts();
   for (const Exercise& e : exercises(request)) {
     const std::string& done = before[e.id].done;
-    answer.table.rows.push_back({text_cell(e.id),
-                                 done.empty() ? answers::missing_cell() : text_cell(done),
-                                 text_cell(e.title), text_cell(e.kind), text_cell(e.chapter)});
+    table.rows.push_back({text_cell(e.id), done.empty() ? answers::missing_cell() : text_cell(done),
+                          text_cell(e.title), text_cell(e.kind), text_cell(e.chapter)});
+    table.rows.back().resize(columns);
   }
-  if (request.format != "text") return answer;
-  answer.table.columns.resize(3);  // so that it fits on a screen
-  for (answers::Row& row : answer.table.rows) row.resize(3);
-  return answer;
+  return {table};
 }
 
 Answer show(const Request& request) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Looks at the times of change: that works on every file system, for every way to save.
-#include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <thread>
 
 #include "classroom/classroom.hpp"

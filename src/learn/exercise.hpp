@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An exercise: a file of TOML that a teacher edits. What is said to an answer: never a guess, and of
-// what was typed. Texts, cut and changed.
+// An exercise: a file of TOML that a teacher edits. What is said to an answer: never a guess, and
+// of what was typed. Texts, cut and changed.
 #pragma once
 
 #include <algorithm>

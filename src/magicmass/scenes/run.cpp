@@ -41,19 +41,15 @@ struct Lengths {
 /// Exactly, of bodies in doubles too: it overflows where velocities do not.
 template <class Scalar>
 void set_energies(const Scene& scene, const simulator::Line<Scalar>& start, Result& result) {
-  const auto energy = [&](std::size_t body, const Number& velocity) {
-    const Quadratic v(std::get<Scalar>(velocity));
-    return Quadratic(start.masses[body]) * v * v / 2;
-  };
-  Quadratic before = 0, after = 0;
-  for (std::size_t i = 0; i < start.masses.size(); ++i) {
-    before = before + energy(i, start.velocities[i]);
-    after = after + energy(i, result.terminal[i]);
-  }
+  const std::vector<Quadratic> masses(start.masses.begin(), start.masses.end());
+  const std::vector<Quadratic> at_first(start.velocities.begin(), start.velocities.end());
+  std::vector<Quadratic> at_last;
+  for (const Number& velocity : result.terminal) at_last.emplace_back(std::get<Scalar>(velocity));
+  const Quadratic before = energy(masses, at_first);
   result.energy_before = before;
-  result.energy = after;
+  result.energy = energy(masses, at_last);
   if (const auto last = scene.receiver())
-    result.transmitted = energy(*last, result.terminal[*last]) / before;
+    result.transmitted = energy<Quadratic>({masses[*last]}, {at_last[*last]}) / before;
 }
 
 template <class Scalar>

@@ -67,6 +67,15 @@ using Points = std::function<void(const Point&)>;
 /// the scene wants to see, and all where the run ends.
 void trajectory(const Scene& scene, const Result& result, const Points& sink);
 
+/// Kinetic.
+template <class X>
+X energy(const std::vector<X>& masses, const std::vector<X>& velocities) {
+  X sum = 0;
+  for (std::size_t i = 0; i < masses.size(); ++i)
+    sum = sum + masses[i] * velocities[i] * velocities[i];
+  return sum / X(2);
+}
+
 inline constexpr const char* at_until = "the scene ends at the time `until`";
 std::string at_limit(std::int64_t limit);
 

@@ -4,13 +4,7 @@
 #include <array>
 #include <iterator>
 
-#include "magicmass/numbers/errors.hpp"
-
 namespace magicmass::scenes {
-
-bool Scene::wants(const std::string& output) const {
-  return std::ranges::count(outputs, output) != 0;
-}
 
 std::optional<std::size_t> Scene::receiver() const {
   const std::size_t last = masses.size() - 1;

@@ -37,15 +37,6 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
 std::vector<double> certain(const Balls& balls) {
   return with_bits(17, [&] { return rounded(balls); });
 }
-double certain_number(const std::function<Ball()>& ball) {
-  return certain([&] { return std::vector{ball()}; })[0];
-}
-Ball energy(const std::vector<Ball>& masses, const std::vector<Ball>& velocities) {
-  Ball sum = 0;
-  for (std::size_t i = 0; i < masses.size(); ++i)
-    sum = sum + masses[i] * velocities[i] * velocities[i];
-  return sum / Ball(2);
-}
 /// How many of the first `most` are by a time, which come one after the other.
 template <class IsBy>
 std::int64_t count_of(std::int64_t most, const IsBy& is_by) {
@@ -75,14 +66,12 @@ std::int64_t count_until(const Trios& trios, const Value& time, std::int64_t mos
 /// How many collisions are within the scene's limits; nothing: infinitely many, a collapse.
 std::optional<std::int64_t> within(const Trios& trios, const Scene& scene) {
   auto N = trios.count();
-  const Trio* const collapsing = N ? nullptr : trios.alone();
+  const bool collapses = !N && trios.alone();
   const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
-  if (scene.max_events || (!N && !collapsing)) N = std::min(N.value_or(limit), limit);
+  if (scene.max_events || (!N && !collapses)) N = std::min(N.value_or(limit), limit);
   if (!scene.until) return N;
-  const auto collapses_by = [&] {
-    return collapsing->collapse(collapsing->shape()).time <= ball_of(*scene.until);
-  };
-  if (collapsing && with_bits(17, collapses_by)) return N;
+  const auto is_by = [&] { return trios.collapse().time <= ball_of(*scene.until); };
+  if (collapses && with_bits(17, is_by)) return N;
   return count_until(trios, *scene.until, N.value_or(limit));
 }
 /// All but the plan after so many collisions, or after infinitely many.
@@ -90,27 +79,26 @@ Result after(const Trios& trios, std::optional<std::int64_t> collisions) {
   Result result;
   result.events = collisions.value_or(0);
   result.counts = trios.counts(result.events);
-  const std::size_t last = trios.last();
-  const auto collapse = [&] { return trios.seen(trios.alone()->collapse(trios.alone()->shape())); };
-  const auto velocities = [&] {
-    return collisions ? trios.velocities(*collisions)
-                      : std::vector(trios.bodies(), collapse().v_left);
-  };
-  const std::vector<double>
-      terminal = certain(velocities),
-      energies = certain([&] {
-        const std::vector<Ball> masses = trios.masses(), v = velocities();
-        const Ball before = energy(masses, trios.velocities(0));
-        return std::vector{before, energy(masses, v), energy({masses[last]}, {v[last]}) / before};
-      });
-  result.terminal.assign(terminal.begin(), terminal.end());
-  result.energy_before = energies[0];
-  result.energy = energies[1];
-  result.transmitted = energies[2];
+  const std::size_t bodies = trios.bodies(), last = trios.last();
+  const std::vector<double> numbers = certain([&] {
+    const Trio::Collision end = collisions ? Trio::Collision() : trios.collapse();
+    const std::vector<Ball> masses = trios.masses(), v = collisions
+                                                             ? trios.velocities(*collisions)
+                                                             : std::vector(bodies, end.v_left);
+    const Ball before = energy(masses, trios.velocities(0));
+    std::vector<Ball> all{before, energy(masses, v),
+                          energy<Ball>({masses[last]}, {v[last]}) / before, end.time, end.position};
+    all.insert(all.end(), v.begin(), v.end());
+    return all;
+  });
+  result.energy_before = numbers[0];
+  result.energy = numbers[1];
+  result.transmitted = numbers[2];
+  result.terminal.assign(numbers.begin() + 5, numbers.end());
   if (collisions) return result;
   result.status = Status::collapse;
-  result.collapse_time = result.known_until = certain_number([&] { return collapse().time; });
-  result.collapse_position = certain_number([&] { return collapse().position; });
+  result.collapse_time = result.known_until = numbers[3];
+  result.collapse_position = numbers[4];
   return result;
 }
 

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The motions that theorems tell, counted, not stepped: of a ball between two blocks, or a block and
-// a wall, with any masses, restitution and start; and of Newton's cradle of the paper, where equal
-// blocks with balls of magic ratios between them are one trio after the other, to a wall and back.
+// The motions that theorems tell, counted, not stepped: of a ball between two blocks, or a block
+// and a wall, with any masses, restitution and start; and of Newton's cradle of the paper, where
+// equal blocks with balls of magic ratios between them are one trio after the other, to a wall and
+// back.
 #pragma once
 
 #include <map>
-#include <utility>
 
 #include "magicmass/scenes/scene.hpp"
-#include "magicmass/simulator/engine.hpp"
-#include "magicmass/simulator/in_turn.hpp"
+#include "magicmass/simulator/three_bodies.hpp"
 
 namespace magicmass::scenes {
 
@@ -72,7 +71,7 @@ public:
   /// Where all bodies are at a time, after so many collisions.
   std::vector<Ball> places(const Shape& s, const Ball& time, std::int64_t collisions) const;
 
-  /// Where and when infinitely many collisions come to an end, from which all go on at one velocity.
+  /// Where and when infinitely many collisions come to an end; all go on from it at one velocity.
   Collision collapse(const Shape& s) const;
   std::vector<Ball> masses(const Shape& s) const;
 
@@ -131,6 +130,8 @@ public:
   /// Where all bodies are at a time, after so many collisions.
   std::vector<Ball> places(const Ball& time, std::int64_t collisions) const;
   std::vector<Ball> masses() const;
+  /// Where and when infinitely many collisions of a trio come to an end.
+  Trio::Collision collapse() const { return seen(alone()->collapse(alone()->shape())); }
   /// Of so many collisions, those at each gap.
   std::vector<std::int64_t> counts(std::int64_t collisions) const;
   /// A collision that was made out without a mirror, as the scene has it.

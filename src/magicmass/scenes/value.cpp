@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "magicmass/scenes/value.hpp"
-
 #include <cmath>
 
 #include <cln/integer_io.h>
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/plain/closed.hpp"
+#include "magicmass/scenes/scene.hpp"
 #include "notation/read.hpp"
 
 namespace magicmass::scenes {

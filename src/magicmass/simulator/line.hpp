@@ -3,10 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "magicmass/simulator/contact.hpp"

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Scenes from text to what they come to.
+// Numbers as scenes write them, and scenes from text to what they come to: in doubles, in exact
+// numbers, and of cradles by theorem.
+#include <cmath>
 #include <random>
+#include <utility>
 
-#include "magicmass/numbers/errors.hpp"
+#include "catch.hpp"
+#include "magicmass/scenes/files.hpp"
+#include "rows.hpp"
 #include "runs.hpp"
 
 using namespace magicmass::scenes;
@@ -31,7 +36,64 @@ std::string random_chain(std::uint64_t seed, bool only_halves) {
          (random() % 3 == 0 ? "restitution = 0.9\n" : "") + "max_events = 12\n";
 }
 
+/// With magic ratios by name, and as numbers.
+struct Texts {
+  std::string named, exact;
+};
+Texts random_cradle(std::mt19937_64& random) {
+  const std::size_t bodies = 3 + 2 * (random() % 4);
+  const auto fraction = [](std::int64_t above) { return "'" + std::to_string(above) + "/7'"; };
+  std::vector<std::string> named, exact, positions, velocities;
+  std::int64_t place = -5, L = 0;
+  for (std::size_t i = 0; i < bodies; ++i) {
+    positions.push_back(fraction(place));
+    velocities.push_back(i == 0 ? "'3/2'" : "0");
+    const bool is_second = random() % 2 == 0;
+    named.push_back(i % 2 == 0 ? "1" : is_second ? "'magic:2'" : "'magic:1'");
+    exact.push_back(i % 2 == 1 && is_second ? "'sqrt(5)-2'" : "1");
+    const auto least = static_cast<std::uint64_t>(is_second ? 9 * L / 14 + 1 : 1);
+    const auto step = static_cast<std::int64_t>(least + random() % 9);
+    if (i % 2 == 1) L = step;
+    place += step;
+  }
+  const bool has_left = random() % 2 == 0, has_right = random() % 2 == 0;
+  const auto cut = random() % 3 == 0 ? "until = '" + std::to_string(random() % 9000) + "/97'\n"
+                                     : "max_events = " + std::to_string(1 + random() % 200) + "\n";
+  const std::string rest = "kind = 'chain'\npositions = " + list(positions) +
+                           "velocities = " + list(velocities) +
+                           (has_left ? "left_wall = '-38/7'\n" : "") +
+                           (has_right ? "right_wall = " + fraction(place + 9) + "\n" : "") + cut;
+  // A time outside of the field has the theorem asked for few collisions, too.
+  const std::string inexact = "outputs = ['trajectory']\ntimes = ['magic:3']\n";
+  return {rest + "masses = " + list(named) + inexact, rest + "masses = " + list(exact)};
+}
+
 }  // namespace
+
+TEST_CASE("values are kept as what they are, what is none is refused", "[exam]") {
+  const auto rows = rows_of("src/magicmass/scenes/values.tsv", 3);
+  REQUIRE(rows.size() == 42);
+  for (const auto& row : rows) {
+    INFO(row[0]);
+    if (row[2].empty()) {
+      CHECK_THROWS_WITH(read_value(row[0]), ContainsSubstring(row[1]));
+      continue;
+    }
+    const Value value = read_value(row[0]);
+    CHECK(value.text == row[0]);
+    REQUIRE(value.exact() != nullptr);
+    CHECK(value.exact()->text() == row[1]);
+    CHECK(value.to_double() == std::stod(row[2]));
+  }
+  CHECK(read_value("magic:3").exact() == nullptr);
+  const std::string says = " does not fit a double; --exact may do";
+  for (const std::string text : {"10^400", "1/10^400"})
+    CHECK_THROWS_WITH(read_value(text).to_double(), text + says);
+  CHECK_NOTHROW(read_value("1/7 "));
+  CHECK_NOTHROW(read_value("magic:1125899906842624"));
+  CHECK_THROWS_WITH(read_value(std::string(5000, '1')), "5000 characters, at most 4096");
+  CHECK_THROWS_WITH(value_of(INFINITY), "not a finite number");
+}
 
 TEST_CASE("doubles and exact numbers have the same collisions", "[check]") {
   int in_doubles = 0;
@@ -78,4 +140,84 @@ TEST_CASE("a scene with a few wrong bytes is a scene or is refused", "[check]") 
     }
   }
   CHECK((refused > 1000 && refused < 3000));
+}
+
+TEST_CASE("random cradles by theorem, in exact numbers, and in a mirror", "[check]") {
+  std::mt19937_64 random(17);
+  int cradles = 0, limited = 0;
+  std::size_t longest = 0;
+  for (int i = 0; i < 80; ++i) {
+    const Texts texts = random_cradle(random);
+    INFO(texts.named);
+    const Scene scene = scene_of(texts.named), exact_scene = scene_of(texts.exact, true);
+    const Result result = run(scene);
+    if (result.plan.model != "transfers") continue;
+    ++cradles;
+    REQUIRE_FALSE(result.plan.is_exact);
+    const Result exact = run(exact_scene), image = run(mirrored(scene));
+    REQUIRE(result_of(texts.exact).plan.model == "transfers");
+    REQUIRE(image.plan.model == "transfers");
+    check_mirrored(result, image);
+    check_mirrored(image, exact);
+    for (const Result& other : {exact, image}) {
+      REQUIRE(other.why == result.why);
+      REQUIRE(other.known_until.has_value() == result.known_until.has_value());
+      if (result.known_until) REQUIRE(number(*other.known_until) == number(*result.known_until));
+    }
+    REQUIRE(number(exact.transmitted) == number(result.transmitted));
+    std::vector<Numbers> rows = numbers_of(scene);
+    REQUIRE(rows == numbers_of(exact_scene));
+    for (auto& [gap, time, place, v_left, v_right] : rows) {
+      gap = double(scene.masses.size()) - gap;
+      place = -place;
+      v_left = -std::exchange(v_right, -v_left);
+    }
+    REQUIRE(rows == numbers_of(mirrored(scene)));
+    limited += result.status == Status::limited ? 1 : 0;
+    longest = std::max(longest, rows.size());
+  }
+  CHECK(cradles > 50);
+  CHECK(limited > 20);
+  CHECK(limited < cradles);
+  CHECK(longest > 150);
+}
+
+TEST_CASE("a cradle of larger numbers moves as doubles do", "[check]") {
+  const Scene scene = scene_of(
+      "kind = 'chain'\nblocks = 5\nballs = ['magic:3', 'magic:7', 'magic:20', "
+      "'magic:4']\nV = 2\nL = '3/2'\ngap = 2\n");
+  magicmass::simulator::Engine<double> engine(line_of<double>(scene));
+  for (const Numbers& row : numbers_of(scene)) {
+    REQUIRE(engine.next());
+    const Numbers stepped = numbers(engine.step());
+    for (std::size_t i = 0; i < row.size(); ++i) REQUIRE_THAT(stepped[i], WithinAbs(row[i], 1e-10));
+  }
+}
+
+TEST_CASE("places at given times are those of the engine", "[check]") {
+  std::string times;
+  for (int n = 0; n < 300; ++n) times += "'" + std::to_string(n) + "/5',";
+  for (const std::string name : {"cradle", "chain", "wall", "drifting"}) {
+    const std::string file =
+        MAGICMASS_SOURCE "/tests/src/magicmass/scenes/places/" + name + ".toml";
+    const std::string text = text_of(file, "a scene");
+    for (const bool exact : {true, false}) {
+      const Scene scene =
+          scene_of(text + "outputs = ['trajectory']\ntimes = [" + times + "70]\n", exact);
+      magicmass::simulator::Engine<Quadratic> engine(line_of<Quadratic>(scene));
+      std::size_t points = 0;
+      trajectory(scene, run(scene), [&](const Point& point) {
+        const Quadratic time(cln::cl_RA(static_cast<int>(points / scene.masses.size())) / 5);
+        while (engine.next() && !(time < *engine.next())) engine.step();
+        const Quadratic place = engine.position(point.body, time);
+        REQUIRE(point.body == points++ % scene.masses.size());
+        if (exact) {
+          REQUIRE(std::get<Quadratic>(point.time) == time);
+          REQUIRE(std::get<Quadratic>(point.position) == place);
+        }
+        REQUIRE_THAT(number(point.position), WithinAbs(place.to_double().value(), 1e-11));
+      });
+      CHECK(points == 300 * scene.masses.size());  // 70 is after the end
+    }
+  }
 }

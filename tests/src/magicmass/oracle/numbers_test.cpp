@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Intervals hold the true result and are hardly wider.
-#include "magicmass/oracle/interval.hpp"
-
+// Doubles and exact rationals at the ends of the range, and errors between them; ties and all
+// doubles in between are in what the report measures. Intervals hold the true result and are hardly
+// wider.
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "catch.hpp"
+#include "magicmass/oracle/interval.hpp"
+#include "magicmass/oracle/rational.hpp"
 
 using namespace magicmass::oracle;
 using cln::cl_I;
 using cln::cl_RA;
+using Limits = std::numeric_limits<double>;
 
 namespace {
 
@@ -23,6 +28,26 @@ bool is_tight(const Interval& interval, const cl_RA& x, long bits) {
 }
 
 }  // namespace
+
+TEST_CASE("infinities, and what rounds to them", "[exam]") {
+  CHECK_THROWS_AS(exact(Limits::infinity()), std::invalid_argument);
+  CHECK_THROWS_AS(exact(Limits::quiet_NaN()), std::invalid_argument);
+  const cl_RA tiny = exact(Limits::denorm_min());
+  const cl_RA overflow = exact(Limits::max()) + exact(0x1p970);
+  CHECK(nearest(overflow) == Limits::infinity());
+  CHECK(nearest(overflow - tiny) == Limits::max());
+  CHECK(nearest(-overflow * overflow) == -Limits::infinity());
+}
+
+TEST_CASE("the ulp is the spacing in the exact value's binade", "[exam]") {
+  CHECK(ulp_error(1, exact(1 - 0x1p-53)) == 1);
+  CHECK(ulp_error(1, exact(1 + 0x1p-52)) == 1);
+  CHECK(ulp_error(0.5, cl_RA(1) / 3) == nearest((cl_RA(1) / 6) / exact(0x1p-54)));
+  CHECK(ulp_error(Limits::denorm_min(), 0) == 1);
+  CHECK(ulp_error(Limits::max(), 2 * exact(0x1p1023)) == 1);
+  CHECK(std::isinf(ulp_error(Limits::infinity(), 1)));
+  CHECK(std::isinf(ulp_error(Limits::quiet_NaN(), 1)));
+}
 
 TEST_CASE("an operation encloses the exact result", "[check]") {
   std::mt19937_64 random(2);
