@@ -173,8 +173,7 @@ std::optional<double> double_of(const Number& number) {
 }
 
 std::string status_name(Status status) {
-  constexpr std::array names{"complete", "limited", "collapse"};
-  return names[static_cast<std::size_t>(status)];
+  return std::array{"complete", "limited", "collapse"}[static_cast<std::size_t>(status)];
 }
 
 Result run(const Scene& scene) {

@@ -67,6 +67,8 @@ using Points = std::function<void(const Point&)>;
 /// the scene wants to see, and all where the run ends.
 void trajectory(const Scene& scene, const Result& result, const Points& sink);
 
+// What follows is for the files of this room.
+
 /// Kinetic.
 template <class X>
 X energy(const std::vector<X>& masses, const std::vector<X>& velocities) {
@@ -80,9 +82,9 @@ inline constexpr const char* at_until = "the scene ends at the time `until`";
 std::string at_limit(std::int64_t limit);
 
 /// The run of a trio or a cradle, each number the nearest double; of what is few and exact only its
-/// plan, since there numbers may be just between doubles. Nothing for other scenes, and
-/// where a collision may be as late as `until`. Throws Undecided where
-/// a trio that nothing cuts off has more collisions than can be counted.
+/// plan, since there numbers may be just between doubles. Nothing for other scenes, and where a
+/// collision may be as late as `until`. Throws Undecided where a trio that nothing cuts off has
+/// more collisions than can be counted.
 std::optional<Result> by_theorem(const Scene& scene);
 /// Every so many of its collisions; of a collapse at least the first three, and more while doubles
 /// can tell their times apart.

@@ -71,7 +71,8 @@ public:
   /// Where all bodies are at a time, after so many collisions.
   std::vector<Ball> places(const Shape& s, const Ball& time, std::int64_t collisions) const;
 
-  /// Where and when infinitely many collisions come to an end; all go on from it at one velocity.
+  /// Where and when infinitely many collisions come to an end; all go on from it at one velocity,
+  /// and it has no number or gap.
   Collision collapse(const Shape& s) const;
   std::vector<Ball> masses(const Shape& s) const;
 

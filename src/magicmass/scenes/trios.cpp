@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <iterator>
-
 #include "magicmass/scenes/trio.hpp"
 
 namespace magicmass::scenes {
@@ -141,6 +139,7 @@ Trio::Collision Trios::collision(std::int64_t j) const {
     c = {0, m.is_back ? 0 : bodies(), ball_of(time_at(wall)), ball_of(wall), 0, 0};
     (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Quadratic(0) - V_);
   }
+  c.number = j + 1;
   c.time = ball_of(m.from) + (m.is_back ? -c.time : c.time);
   return seen(c);
 }

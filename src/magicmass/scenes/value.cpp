@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <cmath>
 
-#include <cln/integer_io.h>
-
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/plain/closed.hpp"
 #include "magicmass/scenes/scene.hpp"

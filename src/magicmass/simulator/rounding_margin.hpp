@@ -12,7 +12,8 @@ namespace magicmass::simulator {
 /// What is on the two sides of a gap. A wall has infinite mass and velocity 0.
 template <Field Scalar>
 struct Sides {
-  const Body<Scalar>&left, &right;
+  const Body<Scalar>& left;
+  const Body<Scalar>& right;
 
   Scalar closing() const { return left.velocity - right.velocity; }
   Scalar spread() const { return std::sqrt(1 / left.mass + 1 / right.mass); }
