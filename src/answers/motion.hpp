@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "answers/table.hpp"
+#include "answers/request.hpp"
 #include "magicmass/scenes/trio.hpp"
-#include "notation/alpha.hpp"
 
 namespace answers {
 
@@ -48,8 +47,19 @@ Balls terminal(const Trio& trio, std::int64_t N);
 /// The terminal rho, the nearest double; missing where the collisions never end.
 Cell rho(const notation::Alpha& alpha, const cln::cl_RA& e);
 
+/// The digits that are asked for. Throws Undecided for more than are given at once.
+std::optional<int> digits_wanted(const Request& request);
 /// Cells with the nearest doubles of what is computed, or with so many significant digits. Throws
 /// Undecided where more bits would be needed than are allowed.
 Row rounded(const std::function<Balls()>& values, std::optional<int> digits = {});
+
+/// Whole coefficients, of x^0 first.
+using Polynomial = std::vector<cln::cl_I>;
+
+/// The polynomial of least degree that alpha_k (`is_magic`) or beta_k is a root of, 1 <= k: without
+/// a common factor, its first coefficient positive.
+Polynomial polynomial_of_ratio(int k, bool is_magic);
+/// "x^2 + 4*x - 1".
+std::string text_of(const Polynomial& p);
 
 }  // namespace answers

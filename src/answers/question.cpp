@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <cmath>
 #include <sstream>
 
 #include "answers/commands.hpp"

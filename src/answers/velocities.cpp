@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <limits>
 
 #include "answers/commands.hpp"
 #include "answers/errors.hpp"

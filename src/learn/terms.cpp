@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "learn/terms.hpp"
 
-#include "answers/equality.hpp"
-#include "answers/question.hpp"
+#include "answers/commands.hpp"
+#include "answers/meanings.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace learn {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <cmath>
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/plain/closed.hpp"

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Answers from theorems against the oracle, which knows the collision law alone.
+// Answers from theorems against the oracle and exact steps, which know the collision law alone.
 #include "answers/motion.hpp"
 
+#include <random>
+
+#include "answers/commands.hpp"
 #include "answers/errors.hpp"
 #include "catch.hpp"
+#include "kernel/expr.hpp"
+#include "law_of_collision.hpp"
+#include "magicmass/numbers/fast.hpp"
 #include "magicmass/oracle/certain.hpp"
-#include "magicmass/oracle/quantities.hpp"
 
 using namespace answers;
+using cln::cl_RA;
 namespace oracle = magicmass::oracle;
 
 namespace {
@@ -15,7 +21,17 @@ oracle::MassRatio same(const notation::Alpha& alpha) {
   if (const auto* at = std::get_if<notation::Threshold>(&alpha))
     return at->is_magic ? oracle::magic(at->k) : oracle::deficient(at->k);
   if (const auto* value = std::get_if<double>(&alpha)) return oracle::ratio(balls::exact(*value));
-  return oracle::ratio(std::get<cln::cl_RA>(alpha));
+  return oracle::ratio(std::get<cl_RA>(alpha));
+}
+/// Blocks of mass 1, a ball of mass alpha, B at 1 from A and C.
+law::ThreeBodies<cl_RA> bodies(const cl_RA& alpha, const cl_RA& e) {
+  return {1, 1, alpha, e, {1, 0, 0}, {0, 1, 0}};
+}
+std::string shown(const cl_RA& exact) { return real_cell(cln::double_approx(exact)).text; }
+Row asked(const std::string& alpha, const std::string& e, const std::string& tier = "accurate") {
+  Request request;
+  request.options = {{"alpha", alpha}, {"restitution", e}, {"tier", tier}};
+  return answers::terminal(request).table.rows[0];
 }
 }  // namespace
 
@@ -54,4 +70,62 @@ TEST_CASE("what no digits can show is undecided, never a guess") {
   CHECK(rounded([&] { return velocities(alpha, 2); }, 5)[0].text == "0");
   const auto close_to_0 = [&] { return Balls{velocities(alpha, 2)[1] - Ball(1)}; };
   CHECK_THROWS_AS(rounded(close_to_0, 5), Undecided);
+}
+
+TEST_CASE("collisions that never end come to an end in time") {
+  for (const auto& [alpha, e] : {std::pair{"1/10", "1/20"}, {"2/2", "1/20"}, {"1/4", "1/4"}}) {
+    const Row row = asked(alpha, e);
+    const double end = std::stod(row[8].text);
+    auto steps = bodies(std::get<cl_RA>(alpha_of(alpha)), std::get<cl_RA>(alpha_of(e)));
+    for (int i = 0; i < 60; ++i) {
+      steps.collide();
+      steps.wait();
+    }
+    INFO(alpha << " " << e);
+    CHECK(cln::double_approx(steps.time) <= end);
+    CHECK(cln::double_approx(steps.time) > end * 0.95);
+  }
+}
+TEST_CASE("tier exact is in fractions") {
+  for (const auto& [alpha, e] : {std::pair{"1/7", "9/10"}, {"0.1", "0.75"}, {"3", "1/3"}}) {
+    const cln::cl_RA mass = *fraction_of(alpha_of(alpha));
+    auto steps = bodies(mass, *fraction_of(alpha_of(e)));
+    while (steps.approach() > 0) steps.collide();
+    const auto& [a, b, c] = steps.v;
+    const Row row = asked(alpha, e, "exact");
+    const cl_RA values[]{a, b, c, b * b};
+    const Trio trio = Trio::equal_blocks(value_of(mass), *fraction_of(alpha_of(e)));
+    const Row near = rounded([&] { return answers::terminal(trio, steps.N); });
+    for (std::size_t i = 0; i < 4; ++i) {
+      CHECK(row[4 + i].text == kernel::digits(values[i]));
+      CHECK(near[i].text == shown(values[i]));
+    }
+  }
+}
+TEST_CASE("any masses, a wall, many collisions: the evaluator says what scenes say") {
+  std::mt19937_64 random(30);
+  const auto number = [&] { return double(random() >> 11) * 0x1p-53; };
+  int ended = 0;
+  for (int row = 0; row < 200; ++row) {
+    const bool is_wall = row % 3 == 0;
+    const double ball = std::exp2(-30 * number()),
+                 per_B = std::exp2(std::floor(30 * number() - 15));
+    const double e = row % 2 == 0 ? 1 : 1 - std::exp2(-30 * number());
+    Trio::Start start{{value_of(1), value_of(ball)}, magicmass::scenes::Quadratic(e)};
+    if (!is_wall) start.masses.push_back(value_of(1 / per_B));
+    const Trio trio = Trio::of(start).value();
+    const auto N = trio.count();
+    const auto t = magicmass::fast::terminal({ball, is_wall ? 0 : per_B}, e);
+    INFO("ball " << ball << ", 1/B " << per_B << ", wall " << is_wall << ", e " << e);
+    REQUIRE(t.has_value() == N.has_value());
+    if (!N) continue;
+    ++ended;
+    REQUIRE(t->counts == magicmass::Counts{(*N + 1) / 2, *N / 2});
+    const double got[] = {t->a_t, t->c_t, t->b_t};
+    const auto velocities = trio.velocities(trio.shape(), *N);
+    for (std::size_t i = 0; i < velocities.size(); ++i)
+      CHECK_THAT(got[i],
+                 Catch::Matchers::WithinRel(cln::double_approx(velocities[i].low()), 1e-13));
+  }
+  CHECK(ended > 150);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Minimal polynomials: their roots by doubles next to them, and their degree, that of the field,
 // so that they have no factor.
-#include <cmath>
 #include <numeric>
 
 #include "answers/motion.hpp"

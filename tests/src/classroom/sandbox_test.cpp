@@ -2,7 +2,6 @@
 // Programs of others: each attack ends with a line that says why, and leaves nothing behind.
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
 
 #include <fcntl.h>
 #include <linux/landlock.h>
@@ -14,7 +13,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "answers/errors.hpp"
 #include "catch.hpp"
 #include "classroom/classroom.hpp"
 #include "host/child.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A chapter becomes a page; what would drift from the program or the proofs is refused.
 #include "answers/derivation.hpp"
-#include "answers/errors.hpp"
 #include "catch.hpp"
 #include "course/chapter.hpp"
 #include "refusal.hpp"

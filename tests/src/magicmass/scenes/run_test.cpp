@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers as scenes write them, and scenes from text to what they come to: in doubles, in exact
 // numbers, and of cradles by theorem.
-#include <cmath>
 #include <random>
-#include <utility>
 
-#include "catch.hpp"
 #include "magicmass/scenes/files.hpp"
 #include "rows.hpp"
 #include "runs.hpp"
