@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <ranges>
 
-#include "answers/errors.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "answers/commands.hpp"
-#include "answers/errors.hpp"
 #include "answers/meanings.hpp"
 #include "equality/decide.hpp"
 

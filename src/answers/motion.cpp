@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/motion.hpp"
 
-#include "answers/errors.hpp"
 #include "answers/meanings.hpp"
 #include "equality/constant.hpp"
 #include "magicmass/numbers/counts.hpp"

@@ -2,7 +2,6 @@
 #include <sstream>
 
 #include "answers/commands.hpp"
-#include "answers/errors.hpp"
 #include "answers/motion.hpp"
 
 namespace answers {

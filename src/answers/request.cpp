@@ -4,8 +4,6 @@
 
 #include <charconv>
 
-#include "answers/errors.hpp"
-
 namespace answers {
 
 std::optional<std::int64_t> read_whole(std::string_view digits) {

@@ -3,7 +3,6 @@
 #include <sstream>
 
 #include "answers/commands.hpp"
-#include "answers/errors.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace answers {

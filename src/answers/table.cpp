@@ -7,8 +7,6 @@
 #include <charconv>
 #include <cmath>
 
-#include "answers/errors.hpp"
-
 namespace answers {
 namespace {
 

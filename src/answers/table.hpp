@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "answers/errors.hpp"
+
 namespace answers {
 
 using Names = std::vector<std::string>;

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <set>
 
-#include "answers/errors.hpp"
 #include "answers/request.hpp"
 #include "learn/exercise.hpp"
 

@@ -15,7 +15,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "answers/errors.hpp"
 #include "command/frame.hpp"
 
 constexpr std::int64_t end_seconds = 5;

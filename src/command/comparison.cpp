@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "command/comparison.hpp"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 #include "answers/commands.hpp"
+#include "command/files.hpp"
 
 namespace command {
 namespace {

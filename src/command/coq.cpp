@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/derivation.hpp"
-#include "answers/errors.hpp"
 #include "command/files.hpp"
 #include "coq/files.hpp"
 #include "derivation/book.hpp"

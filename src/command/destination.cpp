@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // O_TMPFILE, linkat and rename; an O_EXCL name where the file system knows no files without one.
-#include "command/destination.hpp"
-
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
@@ -11,8 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "answers/errors.hpp"
 #include "answers/request.hpp"
+#include "command/streams.hpp"
 
 namespace command {
 namespace {

@@ -3,8 +3,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "answers/errors.hpp"
-#include "command/comparison.hpp"
 #include "command/files.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Commands that write files or start programs, so that they are no pure answers.
+// Commands that write files or start programs, so that they are no pure answers; the table of the
+// paper's numbers that one of them shows.
 #pragma once
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "answers/request.hpp"
 #include "generate/tree.hpp"
@@ -30,5 +32,14 @@ answers::Answer figure(const answers::Request& request);
 /// Every number of the paper beside ours; formats text, markdown, json, csv. With out: the figures
 /// of the paper and the tables in a folder, too.
 answers::Answer reproduce(const answers::Request& request);
+
+/// The rows of paper_numbers.csv, each with our answer to its question, the verdict (agrees:
+/// decimals to the digits printed, all else exactly; explained: for a reason that holds; differs)
+/// and what is said of it. Throws std::runtime_error, naming the row, for one that has no meaning.
+answers::Table comparisons(std::string_view paper_numbers);
+
+/// For text and markdown a page with a table for each label. The check has failed where one
+/// differs.
+answers::Answer page_of(const answers::Table& comparisons, const std::string& format);
 
 }  // namespace command

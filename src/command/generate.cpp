@@ -2,7 +2,6 @@
 #include <filesystem>
 #include <sstream>
 
-#include "answers/errors.hpp"
 #include "command/files.hpp"
 #include "generate/quantities.hpp"
 #include "magicmass/scenes/trio.hpp"

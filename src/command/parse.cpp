@@ -6,7 +6,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "answers/errors.hpp"
 #include "command/frame.hpp"
 
 namespace command {

@@ -6,10 +6,8 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "answers/errors.hpp"
-#include "command/destination.hpp"
 #include "command/frame.hpp"
-#include "command/rows.hpp"
+#include "command/streams.hpp"
 
 namespace command {
 namespace {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Reading by bytes: what a file holds decides, not its locale.
-#include "command/rows.hpp"
-
 #include <algorithm>
 #include <cerrno>
 #include <system_error>
@@ -12,6 +10,7 @@
 #include <unistd.h>
 
 #include "answers/errors.hpp"
+#include "command/streams.hpp"
 
 namespace command {
 namespace {

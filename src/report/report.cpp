@@ -8,7 +8,6 @@
 #include <iterator>
 #include <set>
 
-#include "answers/errors.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/oracle/rational.hpp"
 

@@ -5,7 +5,6 @@
 #include <random>
 
 #include "answers/commands.hpp"
-#include "answers/errors.hpp"
 #include "catch.hpp"
 #include "kernel/expr.hpp"
 #include "law_of_collision.hpp"

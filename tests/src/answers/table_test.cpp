@@ -5,7 +5,6 @@
 #include <chrono>
 #include <limits>
 
-#include "answers/errors.hpp"
 #include "catch.hpp"
 
 using namespace answers;

@@ -6,9 +6,8 @@
 #include <iterator>
 #include <thread>
 
-#include "answers/errors.hpp"
 #include "command/command.hpp"
-#include "command/comparison.hpp"
+#include "command/files.hpp"
 #include "host/child.hpp"
 
 namespace {
