@@ -2,7 +2,7 @@
 #include "answers/motion.hpp"
 
 #include "answers/meanings.hpp"
-#include "equality/constant.hpp"
+#include "equality/decide.hpp"
 #include "magicmass/numbers/counts.hpp"
 
 namespace answers {

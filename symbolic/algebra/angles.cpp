@@ -75,7 +75,7 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   for (const Expr& t : terms)
     for (const auto& [monomial, q] : polynomial(t))
       for (const auto& [a, k] : monomial)
-        if (a.op() == Op::Fun && (a.name() == "cos" || a.name() == "sin")) atoms.insert(a);
+        if (is_call(a, "cos") || is_call(a, "sin")) atoms.insert(a);
   Theorems rules;
   for (const Expr& a : atoms) {
     if (is_among(a.arg(0), canonical_bases)) continue;

@@ -25,12 +25,7 @@ struct Search {
   }
   /// Multiplies by d for the youngest inv(d), d in `nonzero`.
   bool clear_once(const std::map<Expr, const Theorem*>& nonzero) {
-    Expr inverse;
-    for (const auto& [monomial, coefficient] : remainder)
-      for (const auto& [a, k] : monomial)
-        if (a.op() == Op::Fun && a.name() == "inv" && nonzero.count(a.arg(0)) &&
-            (!inverse || inverse < a))
-          inverse = a;
+    const Expr inverse = youngest_inverse(remainder, [&](Expr d) { return nonzero.count(d) != 0; });
     if (!inverse) return false;
     const Theorem& why = *nonzero.at(inverse.arg(0));
     const Polynomial divisor = polynomial(inverse.arg(0));
@@ -120,8 +115,8 @@ Given found_in(Expr goal, const Given& given) {
     to_see.pop_back();
     for (const auto& [monomial, q] : next)
       for (const auto& [a, k] : monomial) {
-        const bool root = a.op() == Op::Fun && a.name() == "sqrt";
-        if (a.op() != Op::Fun || !(root || a.name() == "inv") || !seen.insert(a).second) continue;
+        const bool root = is_call(a, "sqrt");
+        if (!(root || is_call(a, "inv")) || !seen.insert(a).second) continue;
         to_see.push_back(a.arg(0));
         if (const auto s = sign_of(a.arg(0), given.divisors, !root)) {
           if (root)
@@ -136,13 +131,8 @@ Given found_in(Expr goal, const Given& given) {
 }  // namespace
 
 Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts, const Exprs& bases) {
-  if (goal.op() == Op::And) {
-    Theorems all;
-    for (const Expr& g : goal.args()) all.push_back(cancel(g, factors, facts, bases));
-    return both(all);
-  }
-  if (is_matrix(goal.arg(0)))
-    return restate(goal, cancel(logic_and(entry_equations(goal)), factors, facts, bases));
+  const auto prove = [&](Expr g) { return cancel(g, factors, facts, bases); };
+  if (const auto all = by_parts(goal, prove)) return *all;
   Given given;
   for (const Theorem& t : parts(facts))
     (t.conclusion().op() == Op::Eq ? given.rules : given.divisors).push_back(t);

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "algebra/ginac.hpp"
-
 #include <algorithm>
-#include <optional>
 
 #include <ginac/ginac.h>
 
-#include "kernel/polynomial.hpp"
+#include "algebra/tactics.hpp"
 
 namespace algebra {
 namespace {
 using GiNaC::ex;
-using kernel::Op;
-using kernel::Polynomial;
 
 /// Kernel terms as GiNaC's and back: each atom is a symbol; a square root is one with its square
 /// known.
@@ -23,7 +18,7 @@ public:
     const GiNaC::symbol s("x" + std::to_string(atoms.size()));
     atoms.emplace_back(s, atom);
     symbols.emplace(atom, s);
-    if (atom.op() == Op::Fun && atom.name() == "sqrt") {
+    if (is_call(atom, "sqrt")) {
       const ex radicand = to_ginac(atom.arg(0));
       roots.emplace_back(s, radicand);
     }
@@ -33,23 +28,16 @@ public:
     switch (e.op()) {
       case Op::Num:
         return GiNaC::numeric(cln::cl_N(e.value()));
-      case Op::Add: {
-        ex out = 0;
-        for (const Expr& a : e.args()) out += to_ginac(a);
-        return out;
-      }
+      case Op::Add:
       case Op::Mul: {
-        ex out = 1;
-        for (const Expr& a : e.args()) out *= to_ginac(a);
-        return out;
+        GiNaC::exvector parts;
+        for (const Expr& a : e.args()) parts.push_back(to_ginac(a));
+        return e.op() == Op::Add ? ex(GiNaC::add(parts)) : ex(GiNaC::mul(parts));
       }
       case Op::Pow:
         return GiNaC::pow(to_ginac(e.arg(0)), e.exponent());
-      case Op::Fun:
-        if (e.name() == "inv") return 1 / to_ginac(e.arg(0));
-        return symbol_of(e);
       default:
-        return symbol_of(e);
+        return is_call(e, "inv") ? 1 / to_ginac(e.arg(0)) : symbol_of(e);
     }
   }
   /// numerator/denominator without common factor, no root in the denominator.
@@ -235,9 +223,7 @@ Expr simplified(Expr term, const Exprs& collect) {
   Simplifier simplifier(collect);
   if (!kernel::is_matrix(term)) return simplifier.simplified(term);
   Exprs entries;
-  for (int i = 0; i < term.rows(); ++i)
-    for (int j = 0; j < term.cols(); ++j)
-      entries.push_back(simplifier.simplified(kernel::entry(term, i, j)));
+  for (const Expr& e : kernel::entries(term)) entries.push_back(simplifier.simplified(e));
   return kernel::matrix(term.cols(), entries);
 }
 }  // namespace algebra

@@ -251,13 +251,7 @@ Proof linear_if(Expr goal, const Theorems& given_facts) {
   return {};
 }
 Theorem linear(Expr goal, const Theorems& facts) {
-  if (goal.op() == Op::And) {
-    Theorems all;
-    for (const Expr& g : goal.args()) all.push_back(linear(g, facts));
-    return both(all);
-  }
-  if (goal.op() == Op::Eq && is_matrix(goal.arg(0)))
-    return restate(goal, linear(logic_and(entry_equations(goal)), facts));
+  if (const Proof all = by_parts(goal, [&](Expr g) { return linear(g, facts); })) return *all;
   if (goal.op() == Op::Imp)
     return discharge(goal.arg(0), linear(goal.arg(1), facts + Theorems{assume(goal.arg(0))}));
   if (goal.op() == Op::Iff) {

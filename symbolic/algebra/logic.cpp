@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "algebra/logic.hpp"
-
 #include <algorithm>
 
 #include "algebra/tactics.hpp"
@@ -106,6 +104,15 @@ Theorems assumed(const Exprs& formulas) {
 Theorem part(const Theorem& conjunction, std::size_t i) {
   return tautology(conjunction.conclusion().arg(i), {conjunction});
 }
+std::optional<Theorem> by_parts(Expr goal, const std::function<Theorem(Expr)>& prove) {
+  if (goal.op() == Op::And) {
+    Theorems all;
+    for (const Expr& g : goal.args()) all.push_back(prove(g));
+    return both(all);
+  }
+  if (goal.op() != Op::Eq || !is_matrix(goal.arg(0))) return {};
+  return restate(goal, prove(logic_and(entry_equations(goal))));
+}
 Theorem both(const Theorems& theorems) {
   Exprs formulas;
   for (const Theorem& t : theorems) formulas.push_back(t.conclusion());
@@ -142,9 +149,7 @@ Theorem otherwise(Expr goal, const Theorems& facts) {
                    {refute(goal.op() == Op::Lt ? le(r, l) : lt(r, l), linear(lt(0, 0), facts))});
 }
 Theorem under(const Exprs& hypotheses, const Theorem& theorem) {
-  Theorems from;
-  for (const Expr& h : hypotheses) from.push_back(assume(h));
-  const Theorem shown = tautology(theorem.conclusion(), from + Theorems{theorem});
+  const Theorem shown = tautology(theorem.conclusion(), assumed(hypotheses) + Theorems{theorem});
   return shown.hypotheses() == theorem.hypotheses() ? theorem : shown;
 }
 Theorem cut(const Theorem& proof, const Theorem& theorem) {

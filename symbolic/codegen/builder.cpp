@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Makers of nodes: the choice of the cheapest operation, powers of two taken outside, ranges.
-#include "codegen/builder.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "codegen/lower.hpp"
 #include "codegen/operations.hpp"
 
 namespace codegen {

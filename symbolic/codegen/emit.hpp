@@ -3,15 +3,17 @@
 // as plain functions of any number type; what generated/manifest.json says of each.
 #pragma once
 
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "codegen/lower.hpp"
-#include "codegen/text.hpp"
 
 namespace codegen {
+using Words = std::vector<std::string>;
+/// Lines, broken at spaces to at most 100 columns.
+std::string broken(const std::string& lines);
+std::string joined(const std::vector<std::string>& parts, const std::string& by);
+std::string capital(std::string name);
+/// Licence, "generated" line, what it is; then `#pragma once` and the includes.
+std::string opening(const std::string& what, const std::vector<std::string>& includes);
+
 /// The ids of theorems, by their conclusions.
 using Ids = std::map<kernel::Expr, std::string>;
 
@@ -28,16 +30,6 @@ struct Emitted {
 /// outputs, "a: 2^-73.6 |P|"; none: each operation is rounded.
 std::string manifest_entry(const Quantity& q, const std::string& form, const std::string& header,
                            const Ids& ids, const std::vector<Words>& bounds = {});
-inline const std::string inlined = "  [[gnu::always_inline]] ";
-/// "  double a, b;"
-std::string fields(const std::string& type, const Words& names);
-/// Both ends as C++, with what stands between them; a wide domain's where that is so.
-std::string range_in_code(Interval narrow, Interval wide, const std::string& is_wide,
-                          const std::string& between);
-/// Into the header and the errors; Accurate's bounds of the outputs, in words.
-Words emit_case(const Quantity& q, const Case& c, Emitted& e);
-/// "in.alpha >= 0x1p-300 && ..." of the case, in both domains.
-std::string condition(const Quantity& q, const Case& c);
 std::string as_plain(const Program& p, int k);   ///< an exact node, as a T
 std::string as_number(const Program& p, int k);  ///< any node, as an N
 std::string right_side(const Program& p, const Node& n);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "codegen/builder.hpp"
+#include "codegen/lower.hpp"
 
 namespace codegen {
 namespace {

@@ -4,11 +4,6 @@
 #pragma once
 
 #include <cmath>
-#include <map>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
 
 #include "codegen/operations.hpp"
 #include "codegen/program.hpp"

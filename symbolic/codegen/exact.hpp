@@ -4,16 +4,10 @@
 // (the bounds of GNU's, musl's and FreeBSD's are below one and a half).
 #pragma once
 
-#include <stdexcept>
-#include <string>
-
-#include <cln/rational.h>
+#include "kernel/expr.hpp"
 
 namespace codegen {
-/// What the generator throws for whatever it does not accept; the message is one line.
-struct Refused : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using kernel::Refused;
 
 cln::cl_RA exact(double x);           ///< Refused: NaN, infinity
 double nearest(const cln::cl_RA& x);  ///< ties to even; |x| from 2^-960 to 2^1000, or 0

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "codegen/errors.hpp"
-#include "codegen/quantity.hpp"
 
 namespace codegen {
 namespace {

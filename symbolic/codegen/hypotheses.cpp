@@ -2,8 +2,7 @@
 // Hypotheses and parameters against intervals.
 #include <algorithm>
 
-#include "codegen/lower.hpp"
-#include "codegen/text.hpp"
+#include "codegen/emit.hpp"
 #include "kernel/names.hpp"
 
 namespace codegen {

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/quantity.hpp"
+#include "codegen/exact.hpp"
 
 namespace codegen {
 /// [JMP] algorithm 2, 2Sum: exact.

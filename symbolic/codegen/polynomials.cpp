@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A Taylor series, economised in Chebyshev's basis, cut, rounded; and its error.
-#include "codegen/polynomials.hpp"
-
-#include "codegen/quantity.hpp"
-#include "codegen/text.hpp"
+#include "codegen/emit.hpp"
+#include "codegen/operations.hpp"
 
 namespace codegen {
 namespace {

@@ -2,14 +2,13 @@
 // Terms into nodes: fractions, powers of two, ceilings.
 #include <algorithm>
 
-#include "codegen/builder.hpp"
+#include "codegen/lower.hpp"
 
 namespace codegen {
 using kernel::Expr;
 using kernel::Exprs;
 
 namespace {
-bool is_call(Expr e, const char* name) { return e.op() == kernel::Op::Fun && e.name() == name; }
 Exprs factors_of(Expr e) { return e.op() == kernel::Op::Mul ? e.args() : Exprs{e}; }
 /// Numbers, what is above and what is below the line.
 struct Fraction {

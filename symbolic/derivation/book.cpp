@@ -3,8 +3,7 @@
 
 #include <algorithm>
 
-#include "algebra/logic.hpp"
-#include "kernel/defined.hpp"
+#include "algebra/tactics.hpp"
 
 namespace derivation {
 using algebra::operator+;

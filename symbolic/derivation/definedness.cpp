@@ -5,7 +5,6 @@
 
 #include "algebra/tactics.hpp"
 #include "derivation/book.hpp"
-#include "kernel/defined.hpp"
 
 namespace derivation {
 using namespace algebra;

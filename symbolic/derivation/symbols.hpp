@@ -4,10 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "algebra/ginac.hpp"
 #include "algebra/tactics.hpp"
 #include "derivation/book.hpp"
-#include "kernel/defined.hpp"
 
 namespace derivation {
 using namespace algebra;

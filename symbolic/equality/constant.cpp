@@ -3,8 +3,6 @@
 // Bound for Real Algebraic Expressions, Algorithmica 55, 2009): a value that is not 0 is at least
 // 1/(u^(D-1) l), where u and l bound the conjugates of a numerator and of a denominator, and D the
 // degree of the field.
-#include "equality/constant.hpp"
-
 #include <numeric>
 
 #include "equality/normal_form.hpp"
@@ -228,8 +226,6 @@ private:
   }
 };
 }  // namespace
-
-bool is_function(Expr e, const char* name) { return e.op() == Op::Fun && e.name() == name; }
 
 std::optional<cln::cl_RA> multiple_of_pi(Expr e) {
   try {

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "equality/decide.hpp"
-
 #include <algorithm>
 
 #include "algebra/tactics.hpp"
@@ -202,7 +200,7 @@ private:
   }
   /// A power whose base is negative and whose exponent is not always whole.
   std::optional<Expr> power_of_negative(Expr e) {
-    if (is_function(e, "raised") && !kernel::free_variables(e.arg(1)).empty() &&
+    if (is_call(e, "raised") && !kernel::free_variables(e.arg(1)).empty() &&
         !Forms(domain).is_integer(e.arg(1)) &&
         is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain))
       return e;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "equality/domain.hpp"
-
 #include <algorithm>
+
+#include "equality/decide.hpp"
 
 namespace equality {
 using kernel::Op;
@@ -50,7 +50,7 @@ bool bound(const notation::Comparison& c, std::map<Expr, Range>& given) {
 }
 // abs(x) < 1: -1 < x and x < 1.
 std::vector<notation::Comparison> without_modulus(const notation::Comparison& c) {
-  if (!is_function(c.left, "abs") || c.relation[0] != '<') return {c};
+  if (!is_call(c.left, "abs") || c.relation[0] != '<') return {c};
   const Expr inner = c.left.arg(0);
   return {{Expr(-1) * c.right, c.relation, inner}, {inner, c.relation, c.right}};
 }
@@ -142,7 +142,7 @@ void collect_numbers(Expr e, std::set<cln::cl_RA>& found) {
 // x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
 // power is, though (-1/2)^y has a value by accident at some fractions.
 bool has_accident(const Point& point, Expr e, int bits) {
-  if (is_function(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
+  if (is_call(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
     for (Expr symbol : kernel::free_variables(e.arg(1)))
       if (cln::denominator(point.at(symbol)) != 1) return true;
   return std::ranges::any_of(e.args(), [&](Expr part) { return has_accident(point, part, bits); });

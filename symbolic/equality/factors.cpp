@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sums as products: what all terms share, then the factors of a polynomial in what is left.
-#include "algebra/ginac.hpp"
+#include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
 
 namespace equality {

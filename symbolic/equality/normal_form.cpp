@@ -30,7 +30,7 @@ void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
     multiply(into, p, kernel::scaled(e, -times));
 }
 bool has_logarithm(Expr e) {
-  return is_function(e, "log") || std::ranges::any_of(e.args(), has_logarithm);
+  return is_call(e, "log") || std::ranges::any_of(e.args(), has_logarithm);
 }
 bool has_logarithm(const Sum& sum) {
   return std::ranges::any_of(sum, [](const auto& term) {
@@ -50,14 +50,11 @@ Sum Forms::computed(Expr term) {
       return number(term.value());
     case Op::Var:
       return atom(term);
-    case Op::Add: {
-      Sum out;
-      for (Expr arg : term.args()) out = out + of(arg);
-      return out;
-    }
+    case Op::Add:
     case Op::Mul: {
-      Sum out = number(1);
-      for (Expr arg : term.args()) out = times(out, of(arg));
+      const bool is_sum = term.op() == Op::Add;
+      Sum out = number(is_sum ? 0 : 1);
+      for (Expr arg : term.args()) out = is_sum ? out + of(arg) : times(out, of(arg));
       return out;
     }
     case Op::Pow:
@@ -177,7 +174,7 @@ Product Forms::power_of_modulus(const Sum& base, const Exponent& exponent) {
   multiply_number(out, cln::abs(f.number), exponent);
   for (const auto& [atom, e] : f.powers) {
     if (atom == circle()) continue;
-    const bool is_modulus = is_function(atom, "abs") || sign_of_atom(atom) > 0;
+    const bool is_modulus = is_call(atom, "abs") || sign_of_atom(atom) > 0;
     multiply(out, is_modulus ? atom : absolute(atom), multiplied(e, exponent));
   }
   return out;
@@ -207,7 +204,7 @@ Sum Forms::exponential(const Sum& sum) {
     Product rest = product;
     Expr base = euler();
     for (const auto& [atom, e] : product)
-      if (is_function(atom, "log") && e == exponent(1)) base = atom;
+      if (is_call(atom, "log") && e == exponent(1)) base = atom;
     if (base != euler()) {
       rest.erase(base);
       base = base.arg(0);

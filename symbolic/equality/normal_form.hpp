@@ -5,11 +5,7 @@
 // So e^(3x) e^-x, (xy)^n, log(27)/log(3) and cos(u)^2 + sin(u)^2 need no rule of their own.
 #pragma once
 
-#include <functional>
-#include <map>
-#include <stdexcept>
-
-#include "equality/domain.hpp"
+#include "equality/decide.hpp"
 #include "kernel/polynomial.hpp"
 
 namespace equality {
@@ -141,9 +137,6 @@ private:
   Expr expression(const Product& product);
 
   Sum expanded(Sum sum, Product* divisor = nullptr);
-  using ConstantPart = std::function<Exponent(Expr atom, const Exponent& exponent)>;
-  /// The sum as one of different functions, each times a constant.
-  static std::map<Product, Sum> coefficients(const Sum& sum, const ConstantPart& constant_part);
   bool is_zero_number(const Sum& coefficient);
   /// The sign (1 or -1) is proved; strictly: without 0.
   bool has_sign(const Sum& sum, int sign, bool strictly);

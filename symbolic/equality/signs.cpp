@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Signs that are certain all over a domain.
+// Whether a normal form is 0, signs that are certain all over a domain, and what terms need to
+// have a value.
+#include <algorithm>
+
 #include "equality/normal_form.hpp"
 
 namespace equality {
 using kernel::Op;
+using Need = Requirement::Kind;
 namespace {
 constexpr int deepest = 8;
+constexpr int highest_power = 3000;
 // 2: positive, 1: not negative, 0: not known, -1 and -2 likewise.
 int product(int a, int b) {
   if (a == 0 || b == 0) return 0;
@@ -18,7 +23,91 @@ int sign_on(const Range& range) {
   if (range.high && range.high->value <= 0) return -strength;
   return 0;
 }
+/// The sum as one of different functions, each times a constant.
+template <class ConstantPart>
+std::map<Product, Sum> coefficients(const Sum& sum, const ConstantPart& constant_part) {
+  std::map<Product, Sum> out;
+  for (const auto& [product, q] : sum) {
+    Product function = product;
+    Product constant;
+    for (const auto& [atom, e] : product) {
+      const Exponent part = constant_part(atom, e);
+      multiply(constant, atom, part);
+      multiply(function, atom, kernel::scaled(part, -1));
+    }
+    out[function][constant] = q;
+  }
+  return out;
+}
 }  // namespace
+
+// Quotients are cleared, sums multiplied out, and what is left is a sum of numbers times different
+// functions, where each of the numbers must be 0.
+// The sum without its composite atoms, but for roots, to be multiplied by `divisor`.
+Sum Forms::expanded(Sum sum, Product* divisor) {
+  for (;;) {
+    Expr newest;  // it holds older ones
+    for (const auto& [product, q] : sum)
+      for (const auto& [atom, e] : product)
+        if (composites.contains(atom) && cln::floor1(constant_part(e)) != 0 &&
+            (!newest || newest < atom))
+          newest = atom;
+    if (!newest) return sum;
+    const auto whole = [&](const Product& product) {
+      return cln::floor1(constant_part(exponent_in(product, newest)));
+    };
+    cln::cl_I least = whole(sum.begin()->first);
+    for (const auto& [product, q] : sum) least = cln::min(least, whole(product));
+    if (divisor) multiply(*divisor, newest, exponent(cln::cl_RA(least)));
+    std::map<cln::cl_I, Sum> by_power;
+    for (const auto& [product, q] : sum) {
+      const cln::cl_I k = whole(product);
+      Product rest = product;
+      multiply(rest, newest, exponent(-cln::cl_RA(k)));
+      by_power[k - least][rest] = q;
+    }
+    const Sum base = composites.at(newest);
+    Sum out;  // Horner's scheme from the highest power
+    cln::cl_I at = by_power.rbegin()->first;
+    if (at > highest_power) throw TooLarge("a power above 3000 to be multiplied out");
+    for (; at >= 0; at = at - 1) {
+      out = times(out, base);
+      if (const auto it = by_power.find(at); it != by_power.end()) out = out + it->second;
+    }
+    sum = out;
+    if (sum.empty()) return sum;
+  }
+}
+bool Forms::is_zero(const Sum& sum) {
+  const kernel::Monomial pi{{kernel::pi(), 1}};
+  const auto constant = [&](Expr atom, const Exponent& e) {
+    if (atom == circle()) return e.contains(pi) ? times_pi(e.at(pi)) : Exponent();
+    const bool is_number = number_of(e) && kernel::free_variables(atom).empty() &&
+                           !is_complex(atom) && is_algebraic(atom);
+    return is_number ? e : Exponent();
+  };
+  return std::ranges::all_of(coefficients(expanded(sum), constant),
+                             [&](const auto& term) { return is_zero_number(term.second); });
+}
+bool Forms::is_zero_number(const Sum& coefficient) {
+  if (coefficient.size() == 1) return false;
+  const Sum other = conjugated(coefficient);
+  for (const Sum& part : {coefficient + other, times(imaginary(), coefficient - other)}) {
+    const std::optional<Expr> real = real_expression(part);
+    if (!real || exact_sign(*real) != 0) return false;
+  }
+  return true;
+}
+
+bool is_zero_constant(Expr constant) {
+  static int depth = 0;
+  if (depth > 2) return false;
+  ++depth;
+  Forms forms({});
+  const bool is_zero = is_proved([&] { return forms.is_zero(forms.of(constant)); });
+  --depth;
+  return is_zero;
+}
 
 int Forms::sign_of_atom(Expr atom) {
   if (atom.op() == Op::Num) return 2;
@@ -29,13 +118,13 @@ int Forms::sign_of_atom(Expr atom) {
   int sign = 0;
   if (const auto it = where.ranges.find(atom); it != where.ranges.end()) {
     sign = sign_on(it->second);
-  } else if (is_function(atom, "abs")) {
+  } else if (is_call(atom, "abs")) {
     sign = is_not_zero(atom.arg(0)) ? 2 : 1;
   } else if (composites.contains(atom)) {
     sign = sign_of_composite(composites.at(atom));
   } else if (depth < deepest) {
     ++depth;
-    if (is_function(atom, "log")) sign = sign_of(of(atom.arg(0)) - number(1));
+    if (is_call(atom, "log")) sign = sign_of(of(atom.arg(0)) - number(1));
     if (is_inverse_angle(atom)) sign = sign_of(of(atom.arg(0)));
     --depth;
   }
@@ -189,10 +278,10 @@ void Forms::assume(const Requirement& requirement) {
   const Sum sum = of(requirement.term);
   if (sum.empty()) return;
   const Factors f = factors(sum);
-  if (requirement.kind == Requirement::Kind::NotZero) {
+  if (requirement.kind == Need::NotZero) {
     for (const auto& [atom, e] : f.powers) assumed_not_zero.insert(atom);
   } else {
-    const bool strictly = requirement.kind == Requirement::Kind::Positive;
+    const bool strictly = requirement.kind == Need::Positive;
     const int strength = strictly ? 2 : 1;
     assumed.emplace_back(sum, strength);
     Product known = f.powers;
@@ -215,8 +304,77 @@ void Forms::assume(const Requirement& requirement) {
 }
 bool Forms::holds(const Requirement& requirement) {
   const Sum sum = of(requirement.term);
-  if (requirement.kind == Requirement::Kind::NotZero)
-    return is_positive(sum) || has_sign(sum, -1, true);
-  return has_sign(sum, 1, requirement.kind == Requirement::Kind::Positive);
+  if (requirement.kind == Need::NotZero) return is_positive(sum) || has_sign(sum, -1, true);
+  return has_sign(sum, 1, requirement.kind == Need::Positive);
+}
+
+bool is_certain(const Requirement& requirement, const Domain& domain) {
+  return is_proved([&] { return Forms(domain).holds(requirement); });
+}
+
+std::vector<Requirement> requirements(Expr term, const Domain& domain) {
+  std::vector<Requirement> out;
+  std::set<Expr> seen;
+  const auto visit = [&](auto& self, Expr e) -> void {
+    if (!seen.insert(e).second) return;
+    for (Expr arg : e.args()) self(self, arg);
+    if (e.op() != Op::Fun || e.size() == 0) return;
+    const std::string name = e.name();
+    const Expr x = e.arg(0);
+    if (name == "inv") out.push_back({Need::NotZero, x});
+    if (name == "sqrt") out.push_back({Need::NotNegative, x});
+    if (name == "log") out.push_back({Need::Positive, x});
+    // Asked of the square: 1 - sqrt(x)^2 is simpler than 1 - sqrt(x).
+    if ((name == "asin" || name == "acos") &&
+        !is_certain({Need::NotNegative, Expr(1) - kernel::power(x, 2)}, domain))
+      for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
+    if (name == "root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
+    if (name != "raised") return;
+    if (is_proved([&] { return Forms(domain).of(x).empty(); }))
+      out.push_back({Need::Positive, e.arg(1)});
+    else if (!Forms(domain).is_integer(e.arg(1)))
+      out.push_back({Need::NotNegative, x});
+    else if (!is_certain({Need::Positive, e.arg(1)}, domain))
+      out.push_back({Need::NotZero, x});
+  };
+  visit(visit, term);
+  return out;
+}
+
+std::vector<Requirement> conditions(const Domain& domain) {
+  std::vector<Requirement> out;
+  for (const auto& [left, relation, right] : domain.further) {
+    const Need at_0 = relation.ends_with('=') ? Need::NotNegative : Need::Positive;
+    out.push_back({relation == "!=" ? Need::NotZero : at_0,
+                   relation[0] == '<' ? right - left : left - right});
+  }
+  return out;
+}
+
+Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
+  const auto narrow = [&](const Requirement& r, Expr x) {  // by start + rise x
+    Forms forms(domain);
+    Sum start = forms.of(r.term);
+    const cln::cl_RA rise = start[{{x, exponent(1)}}];
+    start = start - scaled(atom(x), rise);
+    const auto value = forms.real_expression(start);
+    if (rise == 0 || !value || !kernel::free_variables(*value).empty()) return false;
+    const auto exact = notation::rational_value(*value);
+    const cln::cl_RA there = -(exact ? *exact : enclosure(*value, 64).high()) / rise;
+    const cln::cl_I eighths = rise > 0 ? cln::floor1(8 * there) : cln::ceiling1(8 * there);
+    // A little more than it leaves, where that is not rational.
+    const End end{exact ? there : eighths / cln::cl_RA(8), r.kind == Need::NotNegative};
+    if (rise > 0)
+      domain.ranges[x].cut_below(end);
+    else
+      domain.ranges[x].cut_above(end);
+    return true;
+  };
+  for (const Requirement& r : needs) {
+    const std::set<Expr> symbols = kernel::free_variables(r.term);
+    if (r.kind != Need::NotZero && symbols.size() == 1)
+      is_proved([&] { return narrow(r, *symbols.begin()); });
+  }
+  return domain;
 }
 }  // namespace equality

@@ -70,7 +70,7 @@ std::optional<int> whole_number(const Exponent& e) {
 bool is_whole(const cln::cl_RA& q) { return cln::denominator(q) == 1; }
 bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(whole)); }
 bool is_inverse_angle(Expr e) {
-  return is_function(e, "atan") || is_function(e, "asin") || is_function(e, "acos");
+  return is_call(e, "atan") || is_call(e, "asin") || is_call(e, "acos");
 }
 void multiply(Product& into, Expr atom, const Exponent& exponent) {
   Exponent& e = into[atom];
@@ -95,7 +95,7 @@ Sum Forms::times(const Sum& a, const Sum& b) {
 // p^1 is a number, |a| |b| is a b where that is not negative.
 void Forms::reduce(Product& product, cln::cl_RA& number) {
   for (const auto& [atom, e] : Product(product))
-    if (is_function(atom, "abs")) reduce_modulus(product, number, atom, e);
+    if (is_call(atom, "abs")) reduce_modulus(product, number, atom, e);
   for (const auto& [atoms, sign] : signed_products) {
     const auto is_there = [&](Expr atom) {
       return constant_part(exponent_in(product, absolute(atom))) >= 1;
@@ -206,20 +206,6 @@ Exponent Forms::exponent_of(const Sum& sum) {
       std::ranges::sort(monomial);
     }
     out = out + Exponent{{monomial, q}};
-  }
-  return out;
-}
-std::map<Product, Sum> Forms::coefficients(const Sum& sum, const ConstantPart& constant_part) {
-  std::map<Product, Sum> out;
-  for (const auto& [product, q] : sum) {
-    Product function = product;
-    Product constant;
-    for (const auto& [atom, e] : product) {
-      const Exponent part = constant_part(atom, e);
-      multiply(constant, atom, part);
-      multiply(function, atom, kernel::scaled(part, -1));
-    }
-    out[function][constant] = q;
   }
   return out;
 }

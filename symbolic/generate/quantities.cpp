@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "codegen/polynomials.hpp"
+#include "codegen/operations.hpp"
 #include "derivation/book.hpp"
 #include "notation/alpha.hpp"
-#include "notation/read.hpp"
+#include "notation/typed.hpp"
 
 namespace generate {
 extern const char* const quantities_text;  // of the file, by CMake

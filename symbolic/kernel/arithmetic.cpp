@@ -75,15 +75,6 @@ std::map<Expr, Polynomial> divisors(const Theorems& nonzero) {
   }
   return out;
 }
-// The youngest atom inv(d) of e with a known d, else no Expr.
-Expr youngest_inverse(const Polynomial& e, const std::map<Expr, Polynomial>& known) {
-  Expr out;
-  for (const auto& [m, q] : e)
-    for (const auto& [a, k] : m)
-      if (a.op() == Op::Fun && a.name() == "inv" && known.count(a.arg(0)) && (!out || out < a))
-        out = a;
-  return out;
-}
 // e times d^k, k the degree of e in inv(d): inv(d)^j d^k is d^(k-j), as d is not 0.
 Polynomial without(const Polynomial& e, Expr inverse, const Polynomial& d) {
   int k = 0;
@@ -102,7 +93,7 @@ Polynomial without(const Polynomial& e, Expr inverse, const Polynomial& d) {
 // 0 if and only if e is 0. The youngest inverse first: its d holds older atoms only, so this ends.
 Polynomial cleared(Polynomial e, const Theorems& nonzero) {
   const std::map<Expr, Polynomial> known = divisors(nonzero);
-  while (const Expr inverse = youngest_inverse(e, known))
+  while (const Expr inverse = youngest_inverse(e, [&](Expr d) { return known.count(d) != 0; }))
     e = without(e, inverse, known.at(inverse.arg(0)));
   return e;
 }

@@ -269,6 +269,7 @@ Expr Expr::arg(std::size_t i) const {
   return args[i];
 }
 
+bool is_call(Expr e, std::string_view f) { return e.op() == Op::Fun && at(e.id()).parts.name == f; }
 bool is_term(Expr e) { return (e.sort() == Sort::Real || e.sort() == Sort::Int) && !e.loose(); }
 bool is_matrix(Expr e) { return e.sort() == Sort::Matrix && !e.loose(); }
 bool is_formula(Expr e) { return e.sort() == Sort::Bool && !e.loose(); }

@@ -3,18 +3,17 @@
 //
 // Nothing is simplified here: what is written is what is kept (only (a + b) + c and (a * b) * c are
 // written flat). Every function is TOTAL, as in Coq and HOL Light: inv(0) and sqrt(-1) are some
-// real numbers of which nothing is known, so no rule asks for definedness. kernel/defined.hpp says
-// what a formula that is shown needs to make sense. One thread at a time.
+// real numbers of which nothing is known, so no rule asks for definedness. needs() of
+// kernel/theorem.hpp says what a formula that is shown needs to make sense. One thread at a time.
 #pragma once
 
-#include <compare>
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -161,6 +160,8 @@ Expr det(Expr a);
 Expr entry(Expr a, int i, int j);
 Exprs entries(Expr a);  ///< row by row
 
+/// Whether it is that function of something.
+bool is_call(Expr e, std::string_view function);
 bool is_term(Expr e);     ///< a number without loose index
 bool is_matrix(Expr e);   ///< a matrix without loose index
 bool is_formula(Expr e);  ///< a formula without loose index

@@ -60,6 +60,18 @@ Expr canonical_matrix(Expr a) {
   if (a.op() == Op::MatrixPower) return power(canonical_matrix(a.arg(0)), canonical(a.arg(1)));
   return matrix(a.cols(), all_canonical(entries(a)));
 }
+Expr entry_equations(const Exprs& l, const Exprs& r) {
+  Exprs out;
+  for (std::size_t k = 0; k < l.size(); ++k) out.push_back(canonical(eq(l[k], r[k])));
+  return logic_and(out);
+}
+Expr computed_canonical(Expr e) {
+  if (e.sort() == Sort::Matrix) return canonical_matrix(e);
+  if (e.sort() != Sort::Bool) return expression(polynomial(e));
+  if (e.op() == Op::Eq && e.arg(0).sort() == Sort::Matrix)
+    return entry_equations(entries(e.arg(0)), entries(e.arg(1)));
+  return with_args(e, all_canonical(e.args()));
+}
 // Expanded by the first row that is left.
 Polynomial determinant(Expr a, int row, const std::vector<int>& cols) {
   if (cols.empty()) return one();
@@ -120,6 +132,13 @@ int degree(const Monomial& m, Expr atom) {
     if (a == atom) return k;
   return 0;
 }
+Expr youngest_inverse(const Polynomial& p, const std::function<bool(Expr)>& is_known) {
+  Expr out;
+  for (const auto& [m, q] : p)
+    for (const auto& [a, k] : m)
+      if (is_call(a, "inv") && is_known(a.arg(0)) && (!out || out < a)) out = a;
+  return out;
+}
 Polynomial operator+(const Polynomial& a, const Polynomial& b) {
   Polynomial p = a;
   for (const auto& [m, q] : b) add(p, m, q);
@@ -157,20 +176,6 @@ Expr expression(const Polynomial& p) {
   return terms.empty() ? Expr(0) : sum(terms);
 }
 
-namespace {
-Expr entry_equations(const Exprs& l, const Exprs& r) {
-  Exprs out;
-  for (std::size_t k = 0; k < l.size(); ++k) out.push_back(canonical(eq(l[k], r[k])));
-  return logic_and(out);
-}
-Expr computed_canonical(Expr e) {
-  if (e.sort() == Sort::Matrix) return canonical_matrix(e);
-  if (e.sort() != Sort::Bool) return expression(polynomial(e));
-  if (e.op() == Op::Eq && e.arg(0).sort() == Sort::Matrix)
-    return entry_equations(entries(e.arg(0)), entries(e.arg(1)));
-  return with_args(e, all_canonical(e.args()));
-}
-}  // namespace
 Expr canonical(Expr e) {
   static std::map<Expr, Expr> known;
   if (const auto it = known.find(e); it != known.end()) return it->second;

@@ -3,9 +3,7 @@
 // canonical arguments, entries. The only algebra that the kernel trusts: +, *, comparison with 0.
 #pragma once
 
-#include <map>
-#include <utility>
-#include <vector>
+#include <functional>
 
 #include "kernel/expr.hpp"
 
@@ -15,6 +13,8 @@ using Polynomial = std::map<Monomial, cln::cl_RA>;   ///< no coefficient is 0
 
 Polynomial one();
 int degree(const Monomial& m, Expr atom);
+/// The youngest atom inv(d) of p with a known d, else no Expr.
+Expr youngest_inverse(const Polynomial& p, const std::function<bool(Expr)>& is_known);
 // Refused: an exponent above 1,000,000, a product of more than a million monomials, numbers above a
 // million bits.
 Polynomial operator+(const Polynomial& a, const Polynomial& b);

@@ -8,9 +8,6 @@
 
 #include <memory>
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "kernel/expr.hpp"
 
@@ -123,4 +120,15 @@ std::string text(const Theorem& t);      ///< H |- c
 Exprs united(const Theorems& premises);  ///< all their hypotheses, each once
 /// Refused: v is free in a hypothesis.
 void check_not_in_hypotheses(Expr v, const Theorem& t);
+
+// Where functions are meant to be used. They are total in the kernel, so that no theorem depends on
+// this; but nothing should be shown that has 1/x where x may be 0.
+/// A condition on the function's parameters. Once for each name.
+void restrict_domain(const std::string& name, const Exprs& params, Expr condition);
+/// For each term with a restricted domain its condition, under what the formula says before it.
+/// Predicates are unfolded by their definitions.
+Exprs needs(Expr formula);
+/// The same for hypotheses |- conclusion: each hypothesis under those before it, then the
+/// conclusion under all of them.
+Exprs needs(const Theorem& t);
 }  // namespace kernel

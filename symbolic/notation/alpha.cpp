@@ -10,7 +10,6 @@
 
 #include <cln/integer_io.h>
 
-#include "kernel/expr.hpp"
 #include "notation/tokens.hpp"
 
 namespace notation {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The reader: one function for each level of the printer.
-#include "notation/read.hpp"
-
 #include <algorithm>
 #include <deque>
 
@@ -9,6 +7,7 @@
 
 #include "kernel/names.hpp"
 #include "notation/tokens.hpp"
+#include "notation/typed.hpp"
 
 namespace notation {
 using namespace kernel;

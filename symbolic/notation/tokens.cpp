@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <sstream>
 
-#include "notation/operations.hpp"
-
 namespace notation {
 namespace {
 using Kind = Token::Kind;

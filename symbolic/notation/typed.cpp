@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "notation/operations.hpp"
+#include "notation/tokens.hpp"
 
 namespace notation {
 using namespace kernel;

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reads what people type: plain text, Unicode, LaTeX. Whatever has two usual readings is refused
-// with both of them, or read with a note that says how.
+// Reads terms, matrices and formulas as the kernel prints them, and what people type: plain text,
+// Unicode, LaTeX. There, whatever has two usual readings is refused with both of them, or read with
+// a note that says how.
 #pragma once
 
 #include <optional>
-#include <set>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "kernel/expr.hpp"
 
 namespace notation {
+/// The very tree that is printed so: read(kernel::text(e)) is e. Variables and functions are those
+/// that the kernel knows; parameters that the printer hides are put back.
+/// Refused (kernel::Refused, one line with the place): what is not of this form, a name that nobody
+/// has declared, more than 200,000 characters, brackets more than 200 deep.
+kernel::Expr read(std::string_view text);
+
 struct Typed {
   kernel::Expr term;               ///< a number or a matrix
   std::vector<std::string> notes;  ///< how it was read: "1/2 M_1 is read as (1/2)*M_1"

@@ -1,12 +1,27 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "render/formula.hpp"
-
+// The one visitor of formulas: it decides structure, parentheses and signs; LaTeX and MathML write
+// them.
 #include <algorithm>
 
 #include "kernel/names.hpp"
+#include "render/pages.hpp"
 
 namespace render {
 namespace {
+using Strings = std::vector<std::string>;
+
+/// Of a variable or function: c'_n has head c, a prime, index n.
+struct Name {
+  std::string head;
+  bool is_primed;
+  std::string index;  ///< or empty
+};
+/// Letters that are written as words, and themselves.
+const std::map<std::string, std::string> greek{{"lambda", "λ"}, {"Lambda", "Λ"}, {"Gamma", "Γ"},
+                                               {"alpha", "α"},  {"theta", "θ"},  {"kappa", "κ"},
+                                               {"delta", "δ"},  {"beta", "β"},   {"psi", "ψ"},
+                                               {"pi", "π"},     {"rho", "ρ"}};
+
 using kernel::Expr;
 using kernel::Exprs;
 using kernel::Op;
@@ -30,14 +45,35 @@ struct Piece {
   bool minus = false;
 };
 
+/// What stands around a part, or two, in a notation.
+struct Frame {
+  std::string before = {}, between = {}, after = {};
+  std::string of(const std::string& one, const std::string& other = "") const {
+    return before + one + between + other + after;
+  }
+};
+struct Frames {
+  Frame number, call, fraction, root, ceiling, parentheses;
+};
 class Visitor {
 public:
-  explicit Visitor(const Style& the_style) : style(the_style) {}
+  explicit Visitor(const Frames& all) : frames(all) {}
+  virtual ~Visitor() = default;
   std::string text(Expr e) const { return whole(visit(e)); }
 
-private:
-  const Style& style;
+protected:
+  const Frames frames;
+  // How a notation writes what is decided here.
+  virtual std::string name(const Name& name) const = 0;
+  virtual std::string indexed(const std::string& base, const std::string& index) const = 0;
+  virtual std::string power(const std::string& base, const std::string& exponent) const = 0;
+  virtual std::string matrix(const std::vector<Strings>& rows) const = 0;
+  virtual std::string product(const Strings& factors) const = 0;
+  /// " + ", "-", ", ", " = ", " <= ", " and ", "not ", "for every integer ": what stands between
+  /// terms and formulas.
+  virtual std::string word(const std::string& word) const = 0;
 
+private:
   Piece visit(Expr e) const {
     switch (e.op()) {
       case Op::Num:
@@ -50,23 +86,22 @@ private:
         return sum(e);
       case Op::Mul:
       case Op::Times:
-        return e.op() == Op::Mul ? product(e) : Piece{style.product(parts(e, Product)), Product};
+        return e.op() == Op::Mul ? product(e) : Piece{product(parts(e, Product)), Product};
       case Op::Pow:
-        return is_inverse(e)
-                   ? product(e)
-                   : Piece{style.power(within(Atom, e.arg(0)), number(e.exponent())), Power};
+        return is_inverse(e) ? product(e)
+                             : Piece{power(within(Atom, e.arg(0)), number(e.exponent())), Power};
       case Op::Matrix:
         return {matrix(e)};
       case Op::Transpose:
-        return {style.power(within(Atom, e.arg(0)), name("T")), Power};
+        return {power(within(Atom, e.arg(0)), name("T")), Power};
       case Op::MatrixPower:
-        return {style.power(within(Atom, e.arg(0)), within(Sum, e.arg(1))), Power};
+        return {power(within(Atom, e.arg(0)), within(Sum, e.arg(1))), Power};
       case Op::Entry:
-        return {style.indexed(within(Atom, e.arg(0)), number(e.index() / e.arg(0).cols() + 1) +
-                                                          style.word(",") +
-                                                          number(e.index() % e.arg(0).cols() + 1))};
+        return {indexed(within(Atom, e.arg(0)), number(e.index() / e.arg(0).cols() + 1) +
+                                                    word(",") +
+                                                    number(e.index() % e.arg(0).cols() + 1))};
       case Op::Det:
-        return {style.call(name("det"), within(Quantified, e.arg(0)))};
+        return {frames.call.of(name("det"), within(Quantified, e.arg(0)))};
       default:
         return statement(e);
     }
@@ -74,19 +109,19 @@ private:
 
   std::string within(int least, Expr e) const { return within(least, visit(e)); }
   std::string within(int least, const Piece& piece) const {
-    return piece.level < least ? style.parentheses(whole(piece)) : whole(piece);
+    return piece.level < least ? frames.parentheses.of(whole(piece)) : whole(piece);
   }
   std::string whole(const Piece& piece) const {
-    return (piece.minus ? style.word("-") : "") + piece.text;
+    return (piece.minus ? word("-") : "") + piece.text;
   }
   std::string name(const std::string& text) const {
     const bool is_primed = text.ends_with('\'');
     const std::string plain = text.substr(0, text.size() - (is_primed ? 1 : 0));
     const std::size_t end = std::min(plain.find('_'), plain.size());
-    return style.name({plain.substr(0, end), is_primed, plain.substr(end).erase(0, 1)});
+    return name({plain.substr(0, end), is_primed, plain.substr(end).erase(0, 1)});
   }
-  std::string number(int n) const { return style.number(std::to_string(n)); }
-  std::string number(const cln::cl_I& n) const { return style.number(kernel::digits(n)); }
+  std::string number(int n) const { return frames.number.of(std::to_string(n)); }
+  std::string number(const cln::cl_I& n) const { return frames.number.of(kernel::digits(n)); }
   Strings parts(Expr e, int least) const {
     Strings out;
     for (const Expr& a : e.args()) out.push_back(within(least, a));
@@ -94,14 +129,13 @@ private:
   }
   std::string joined(Expr e, const std::string& between, int least) const {
     std::string out;
-    for (const std::string& p : parts(e, least))
-      out += (out.empty() ? "" : style.word(between)) + p;
+    for (const std::string& p : parts(e, least)) out += (out.empty() ? "" : word(between)) + p;
     return out;
   }
   Piece number(const cln::cl_RA& q) const {
     const std::string over = number(cln::abs(cln::numerator(q)));
     const bool is_whole = cln::denominator(q) == 1;
-    return {is_whole ? over : style.fraction(over, number(cln::denominator(q))),
+    return {is_whole ? over : frames.fraction.of(over, number(cln::denominator(q))),
             q < 0      ? Sum
             : is_whole ? Atom
                        : Product,
@@ -114,14 +148,14 @@ private:
       if (out.text.empty())
         out.minus = p.minus;
       else
-        out.text += style.word(p.minus ? " - " : " + ");
+        out.text += word(p.minus ? " - " : " + ");
       out.text += p.minus ? p.text : within(Product, p);
     }
     return out;
   }
   static bool is_inverse(Expr e) {
     const Expr base = e.op() == Op::Pow ? e.arg(0) : e;
-    return base.op() == Op::Fun && base.name() == "inv";
+    return is_call(base, "inv");
   }
   /// A quotient with its sign in front.
   Piece product(Expr e) const {
@@ -146,10 +180,11 @@ private:
       for (const Piece& p : all)
         out.push_back((all.size() == 1 && !under.empty()) || (p.level >= Product && !p.minus)
                           ? whole(p)
-                          : style.parentheses(whole(p)));
-      return style.product(out);
+                          : frames.parentheses.of(whole(p)));
+      return product(out);
     };
-    const std::string text = under.empty() ? line(over) : style.fraction(line(over), line(under));
+    const std::string text =
+        under.empty() ? line(over) : frames.fraction.of(line(over), line(under));
     return {text, coefficient < 0 ? Sum : Product, coefficient < 0};
   }
   static Exprs factors_of(Expr e) {
@@ -163,8 +198,8 @@ private:
   }
   Piece function(Expr e) const {
     if (e.name() == "inv") return product(e);
-    if (e.name() == "sqrt") return {style.root(within(Quantified, e.arg(0)))};
-    if (e.name() == "ceil") return {style.ceiling(within(Quantified, e.arg(0)))};
+    if (e.name() == "sqrt") return {frames.root.of(within(Quantified, e.arg(0)))};
+    if (e.name() == "ceil") return {frames.ceiling.of(within(Quantified, e.arg(0)))};
     const kernel::Signature& signature = *kernel::signature(e.name());
     const Exprs args = e.args();
     const bool hide = std::equal(signature.params.begin(), signature.params.end(), args.begin());
@@ -172,18 +207,18 @@ private:
     std::string plain;
     for (std::size_t i = hide ? signature.params.size() : 0; i < args.size(); ++i) {
       std::string& part = signature.args[i] == kernel::Sort::Int ? index : plain;
-      part += (part.empty() ? "" : style.word(", ")) + within(Quantified, args[i]);
+      part += (part.empty() ? "" : word(", ")) + within(Quantified, args[i]);
     }
     std::string text = name(e.name());
-    if (!index.empty()) text = style.indexed(text, index);
-    if (!plain.empty()) text = style.call(text, plain);
+    if (!index.empty()) text = indexed(text, index);
+    if (!plain.empty()) text = frames.call.of(text, plain);
     return {text};
   }
   std::string matrix(Expr e) const {
     std::vector<Strings> rows(static_cast<std::size_t>(e.rows()));
     for (std::size_t i = 0; i < e.size(); ++i)
       rows[i / static_cast<std::size_t>(e.cols())].push_back(within(Quantified, e.arg(i)));
-    return style.matrix(rows);
+    return matrix(rows);
   }
   Piece statement(Expr e) const {
     static const std::map<Op, std::pair<const char*, Level>> between{
@@ -200,17 +235,156 @@ private:
     }
     if (e.op() == Op::Not) {
       if (e.arg(0).op() == Op::Eq) return {joined(e.arg(0), " != ", Sum), Relation};
-      return {style.word("not ") + within(Relation, e.arg(0)), Relation};
+      return {word("not ") + within(Relation, e.arg(0)), Relation};
     }
     // For every v, with v as the free variable of its name.
     const bool whole = e.bound_sort() == kernel::Sort::Int;
     const Expr v = whole ? kernel::integer(e.name()) : kernel::real(e.name());
-    return {style.word(whole ? "for every integer " : "for every real ") + name(e.name()) +
-                style.word(": ") + within(Quantified, kernel::open(e, v)),
+    return {word(whole ? "for every integer " : "for every real ") + name(e.name()) + word(": ") +
+                within(Quantified, kernel::open(e, v)),
             Quantified};
+  }
+};
+
+class Latex : public Visitor {
+public:
+  Latex()
+      : Visitor({.number = {},
+                 .call = {"", "\\left(", "\\right)"},
+                 .fraction = {"\\frac{", "}{", "}"},
+                 .root = {"\\sqrt{", "", "}"},
+                 .ceiling = {"\\left\\lceil ", "", "\\right\\rceil"},
+                 .parentheses = {"\\left(", "", "\\right)"}}) {}
+  std::string name(const Name& name) const override {
+    static const std::set<std::string> functions{"sin", "cos", "det"};
+    const auto& [head, is_primed, index] = name;
+    std::string out = greek.contains(head) || functions.contains(head) ? "\\" + head
+                      : head == "atan"                                 ? "\\arctan"
+                      : head.size() == 1                               ? head
+                                                                       : "\\mathrm{" + head + "}";
+    if (is_primed) out += "'";
+    if (index.empty()) return out;
+    std::string words = index.size() > 1 ? "\\mathrm{" + index + "}" : index;
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return out + "_{" + words + "}";
+  }
+  std::string indexed(const std::string& base, const std::string& index) const override {
+    // A prime comes before the index: c'_{n}. A second index joins the first.
+    if (base.back() == '}' && base.find("_{") != std::string::npos)
+      return base.substr(0, base.size() - 1) + ", " + index + "}";
+    return base + "_{" + index + "}";
+  }
+  std::string power(const std::string& base, const std::string& exponent) const override {
+    const bool is_primed = base.find('\'') != base.npos;  // a prime is a superscript
+    return (is_primed ? "{" + base + "}" : base) + "^{" + exponent + "}";
+  }
+  std::string matrix(const std::vector<Strings>& rows) const override {
+    std::string out = "\\begin{pmatrix}";
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      out += i == 0 ? "" : " \\\\ ";
+      for (std::size_t j = 0; j < rows[i].size(); ++j) out += (j == 0 ? "" : " & ") + rows[i][j];
+    }
+    return out + "\\end{pmatrix}";
+  }
+  std::string product(const Strings& factors) const override {
+    std::string out;
+    for (const std::string& f : factors) {
+      const bool digits = !f.empty() && f[0] >= '0' && f[0] <= '9';
+      out += out.empty() ? "" : digits ? " \\cdot " : " \\, ";
+      out += f;
+    }
+    return out;
+  }
+  std::string word(const std::string& word) const override {
+    static const std::map<std::string, std::string> signs{
+        {" <= ", " \\le "},    {" != ", " \\ne "},           {"not ", "\\lnot "},
+        {" and ", ",\\quad "}, {" implies ", " \\implies "}, {" if and only if ", " \\iff "}};
+    if (const auto sign = signs.find(word); sign != signs.end()) return sign->second;
+    if (word.find_first_of("abcdefghijklmnopqrstuvwxyz") == word.npos) return word;
+    return "\\text{" + word + "}";
+  }
+};
+std::string element(const std::string& tag, const std::string& inside) {
+  return "<" + tag + ">" + inside + "</" + tag + ">";
+}
+std::string row(const std::string& inside) { return element("mrow", inside); }
+class Mathml : public Visitor {
+public:
+  Mathml()
+      : Visitor({.number = {"<mn>", "", "</mn>"},
+                 .call = {"", "<mo>&#x2061;</mo><mrow><mo>(</mo>", "<mo>)</mo></mrow>"},
+                 .fraction = {"<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>"},
+                 .root = {"<msqrt>", "", "</msqrt>"},
+                 .ceiling = {"<mrow><mo>⌈</mo>", "", "<mo>⌉</mo></mrow>"},
+                 .parentheses = {"<mrow><mo>(</mo>", "", "<mo>)</mo></mrow>"}}) {}
+  /// Words stay upright.
+  std::string name(const Name& name) const override {
+    const auto letter = greek.find(name.head);
+    const std::string head = letter != greek.end() ? letter->second
+                             : name.head == "atan" ? "arctan"
+                                                   : name.head;
+    std::string out = element("mi", head);
+    if (name.is_primed) out = element("msup", out + element("mo", "′"));
+    if (name.index.empty()) return out;
+    const bool is_number = name.index.find_first_not_of("0123456789") == name.index.npos;
+    return indexed(out, element(is_number ? "mn" : "mi", name.index));
+  }
+  std::string indexed(const std::string& base, const std::string& index) const override {
+    static const std::string prime = "<mo>′</mo>";
+    const std::size_t at = base.find(prime);  // above the index, not before it
+    if (at == base.npos) return element("msub", row(base) + row(index));
+    const std::string plain = base.substr(6, at - 6);
+    return element("msubsup", plain + row(index) + prime);
+  }
+  std::string power(const std::string& base, const std::string& exponent) const override {
+    return element("msup", row(base) + row(exponent));
+  }
+  std::string matrix(const std::vector<Strings>& rows) const override {
+    std::string table;
+    for (const Strings& r : rows) {
+      std::string cells;
+      for (const std::string& cell : r) cells += element("mtd", cell);
+      table += element("mtr", cells);
+    }
+    return frames.parentheses.of(element("mtable", table));
+  }
+  std::string product(const Strings& factors) const override {
+    std::string out;
+    for (const std::string& f : factors) {
+      const bool is_number = f.starts_with("<mn>");
+      const bool is_call = f.starts_with("<mi>") && f.find("</mi><mo>&#x2061;") == f.find("</mi>");
+      out += out.empty() ? "" : is_number ? "<mo>⋅</mo>" : "<mo>&#x2062;</mo>";
+      if (!out.empty() && is_call) out += "<mspace width=\"0.17em\"/>";
+      out += f;
+    }
+    return out;
+  }
+  std::string word(const std::string& word) const override {
+    static const std::map<std::string, std::string> signs{{"-", "−"},
+                                                          {" + ", "+"},
+                                                          {" - ", "−"},
+                                                          {",", ","},
+                                                          {", ", ","},
+                                                          {": ", ":"},
+                                                          {" = ", "="},
+                                                          {" < ", "&lt;"},
+                                                          {" <= ", "≤"},
+                                                          {" != ", "≠"},
+                                                          {"not ", "¬"},
+                                                          {" implies ", "⟹"},
+                                                          {" if and only if ", "⟺"}};
+    const auto sign = signs.find(word);
+    if (sign != signs.end()) return element("mo", sign->second);
+    std::string text = word;
+    for (std::size_t at = text.find(' '); at != text.npos; at = text.find(' ', at))
+      text.replace(at, 1, "&#xa0;");
+    return element("mtext", text);
   }
 };
 }  // namespace
 
-std::string formula(Expr e, const Style& style) { return Visitor(style).text(e); }
+std::string latex(Expr e) { return Latex().text(e); }
+std::string mathml(Expr e, bool is_block) {
+  return (is_block ? "<math display=\"block\">" : "<math>") + Mathml().text(e) + "</math>";
+}
 }  // namespace render

@@ -2,8 +2,6 @@
 // Formulas, and a derivation as a page: plain text of at most 80 columns where words can be broken,
 // Markdown, LaTeX or HTML.
 #pragma once
-#include <string>
-#include <vector>
 
 #include "kernel/expr.hpp"
 

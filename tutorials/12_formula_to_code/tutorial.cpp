@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "codegen/emit.hpp"
-#include "codegen/text.hpp"
 #include "generate/quantities.hpp"
 
 using codegen::Program;

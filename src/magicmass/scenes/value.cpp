@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 
 #include "magicmass/numbers/accurate.hpp"
-#include "magicmass/plain/closed.hpp"
-#include "magicmass/scenes/scene.hpp"
-#include "notation/read.hpp"
+#include "notation/typed.hpp"
 
 namespace magicmass::scenes {
 namespace {

@@ -162,7 +162,6 @@ private:
     const Ball r = Ball(1) / sqrt(x.x);
     return lossy(r, size_of(r) * x.off / (2 * x.size), t.reciprocal_root(x.loose));
   }
-  static bool is(Expr e, const char* name) { return e.op() == Op::Fun && e.name() == name; }
   Value computed(Expr e) {
     if (e.op() == Op::Num)
       return codegen::is_double(e.value()) ? just(e.value()) : lossy(e.value(), 0, t.constant(0));
@@ -175,7 +174,7 @@ private:
     if (e.op() != Op::Add && e.op() != Op::Mul) throw std::logic_error("no rule for a term");
     for (std::size_t k = 1; k < e.size(); ++k) {
       const Expr a = e.arg(k);
-      const bool divides = e.op() == Op::Mul && is(a, "inv") && !is(a.arg(0), "sqrt");
+      const bool divides = e.op() == Op::Mul && is_call(a, "inv") && !is_call(a.arg(0), "sqrt");
       r = divides ? over(r, of(a.arg(0))) : e.op() == Op::Mul ? times(r, of(a)) : plus(r, of(a));
     }
     return r;
@@ -190,7 +189,7 @@ private:
       x.x = magnitude(x.x);
       return x;
     }
-    if (e.name() == "inv" && is(inner, "sqrt")) return per_root(of(inner.arg(0)));
+    if (e.name() == "inv" && is_call(inner, "sqrt")) return per_root(of(inner.arg(0)));
     const Value x = of(inner);
     if (e.name() == "inv") return over(just(1), x);
     if (e.name() == "turn") return just(cln::evenp(cln::numerator(x.x.low())) ? 1 : -1);
@@ -225,7 +224,7 @@ private:
     const cl_RA c = is_sum ? x.args().back().value() : 0;
     Value p = just(1), q = p;
     for (Expr f : is_sum ? x.arg(0).args() : x.args())
-      (is(f, "inv") ? q : p) = is(f, "inv") ? times(q, of(f.arg(0))) : times(p, of(f));
+      (is_call(f, "inv") ? q : p) = is_call(f, "inv") ? times(q, of(f.arg(0))) : times(p, of(f));
     const cl_RA whole = (p.x / q.x).low();
     Value size = plus(p, times(q, just(-cln::round1(whole))));
     size.x = magnitude(size.x);

@@ -4,7 +4,7 @@
 #include "net.hpp"
 
 #include "catch.hpp"
-#include "notation/read.hpp"
+#include "notation/typed.hpp"
 #include "rows.hpp"
 
 using derivation::the_book;

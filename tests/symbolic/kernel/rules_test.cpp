@@ -83,7 +83,7 @@ TEST_CASE("definitions depend on their parameters alone") {
   refused("no start", "a start and a step", recursive({}, n, {x}, {}, {0}));
   refused("too many before", "a start and a step", recursive({}, n, {x, y}, {0}, {y}));
   refused("no name", "without a name", [] { define_recursive({}, {}, n, {}, {}, {}); });
-  refused("a formula as start", "must be a term", recursive({}, n, {x}, {eq(0, 0)}, {x}));
+  refused("a formula as start", "must be terms", recursive({}, n, {x}, {eq(0, 0)}, {x}));
   refused("the least with a free variable", "not a parameter", least({}, n, 0, eq(n, x)));
   refused("the least from a free bound", "not a parameter", least({}, n, i, eq(n, n)));
   refused("its index a parameter", "twice", least({n}, n, 0, eq(n, 0)));

@@ -145,8 +145,8 @@ TEST_CASE("a loose index gets into no theorem") {
   refused("as a definition", "only a closed term", [] { define("loose", {}, loose); });
   refused("as the start of an induction", "start of an induction",
           [] { induction(n, loose, zero.conclusion(), zero, zero); });
-  refused("as a start", "start must be a term", recursive({}, n, {x}, {loose}, {x}));
-  refused("as a step", "step must be a term", recursive({}, n, {x}, {0}, {loose}));
+  refused("as a start", "must be terms", recursive({}, n, {x}, {loose}, {x}));
+  refused("as a step", "must be terms", recursive({}, n, {x}, {0}, {loose}));
   refused("as a property", "least integer", least({}, n, 0, eq(loose, 0)));
   refused("as a bound", "least integer", least({}, n, loose, eq(n, 0)));
   refused("replaced", "loose index", [] { replace(eq(x, 0), loose, x); });

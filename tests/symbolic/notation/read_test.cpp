@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the kernel prints is read back as the same tree; what is refused by each reader.
-#include "notation/read.hpp"
 
 #include <functional>
 #include <random>
