@@ -95,35 +95,28 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
   }
   left_over = search.remainder;
   if (!search.remainder.empty()) return {};
-  Certificate certificate;
-  certificate.multipliers = search.multipliers;
-  certificate.nonzero = search.multipliers;
+  Certificate certificate{.multipliers = search.multipliers};
   for (std::size_t i = 0; i < rules.size(); ++i)
     if (!search.cofactors[i].empty())
       certificate.equations.emplace_back(expression(search.cofactors[i]), rules[i]);
-  return arithmetic(goal, certificate);
+  return certified(goal, certificate);
 }
 /// Squares of the roots and divisors that are seen to be positive.
 Given found_in(Expr goal, const Given& given) {
   Given out = given;
   std::set<Expr> seen;
   std::vector<Expr> to_see{goal.arg(0), goal.arg(1)};
-  for (const Theorem& t : given.rules) to_see.push_back(gap(t));
-  for (const Theorem& t : given.divisors) to_see.push_back(gap(t));
+  for (const Theorem& t : given.rules + given.divisors) to_see.push_back(gap(t));
   while (!to_see.empty()) {
     const Polynomial next = polynomial(to_see.back());
     to_see.pop_back();
     for (const auto& [monomial, q] : next)
       for (const auto& [a, k] : monomial) {
         const bool root = is_call(a, "sqrt");
-        if (!(root || is_call(a, "inv")) || !seen.insert(a).second) continue;
+        if ((!root && !is_call(a, "inv")) || !seen.insert(a).second) continue;
         to_see.push_back(a.arg(0));
-        if (const auto s = sign_of(a.arg(0), given.divisors, !root)) {
-          if (root)
-            out.rules.push_back(root_squared(*s));
-          else
-            out.divisors.push_back(*s);
-        }
+        if (const auto s = sign_of(a.arg(0), given.divisors, !root))
+          (root ? out.rules : out.divisors).push_back(root ? root_squared(*s) : *s);
       }
   }
   return out;

@@ -59,14 +59,7 @@ public:
       if (GiNaC::is_a<GiNaC::symbol>(square)) e = e.subs(square == GiNaC::pow(root, 2));
     return e;
   }
-  Polynomial to_polynomial(const ex& e) const {
-    const ex expanded = e.expand();
-    Polynomial out;
-    const std::size_t count = GiNaC::is_a<GiNaC::add>(expanded) ? expanded.nops() : 1;
-    for (std::size_t i = 0; i < count; ++i)
-      out = out + kernel::polynomial(term(count > 1 ? expanded.op(i) : expanded));
-    return out;
-  }
+  Polynomial to_polynomial(const ex& e) const { return polynomial(to_kernel(e)); }
 
 private:
   std::vector<std::pair<GiNaC::symbol, Expr>> atoms;
@@ -84,20 +77,18 @@ private:
     }
     return out;
   }
-  Expr factor(const ex& e) const {
+  Expr to_kernel(const ex& e) const {
     if (GiNaC::is_a<GiNaC::numeric>(e))
-      return Expr(cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N()));
+      return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N());
+    if (GiNaC::is_a<GiNaC::power>(e))
+      return power(to_kernel(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
+    Exprs parts;
+    for (const ex& part : e) parts.push_back(to_kernel(part));
+    if (GiNaC::is_a<GiNaC::add>(e)) return sum(parts);
+    if (GiNaC::is_a<GiNaC::mul>(e)) return product(parts);
     for (const auto& [symbol, atom] : atoms)
       if (e.is_equal(symbol)) return atom;
-    kernel::refuse("GiNaC gave something that is no polynomial");
-  }
-  Expr term(const ex& e) const {  // a product of numbers and powers of symbols
-    if (GiNaC::is_a<GiNaC::power>(e))
-      return kernel::power(factor(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
-    if (!GiNaC::is_a<GiNaC::mul>(e)) return factor(e);
-    Exprs factors;
-    for (std::size_t i = 0; i < e.nops(); ++i) factors.push_back(term(e.op(i)));
-    return kernel::product(factors);
+    refuse("GiNaC gave something that is no polynomial");
   }
 };
 
@@ -120,7 +111,7 @@ Factored factored(const ex& e, const Translation& translation) {
     for (const auto& [monomial, q] : p)
       content = cln::gcd(cln::numerator(content), cln::numerator(q));
     if (p.begin()->second < 0) content = -content;
-    p = kernel::scaled(p, 1 / content);
+    p = scaled(p, 1 / content);
     out.number = out.number * cln::expt(content, exponent);
     if (p.size() > 1 || !p.begin()->first.empty()) out.factors.emplace_back(p, exponent);
   }
@@ -132,7 +123,7 @@ Factored factored(const ex& e, const Translation& translation) {
 }
 Expr product_of(Exprs factors) {
   std::erase(factors, Expr(1));
-  return factors.empty() ? Expr(1) : kernel::product(factors);
+  return factors.empty() ? Expr(1) : product(factors);
 }
 class Simplifier {
 public:
@@ -149,12 +140,11 @@ public:
     for (const auto& [p, k] : over.factors) {
       const cln::cl_RA sign = leads_with_minus(p) ? -1 : 1;
       number = number * cln::expt(sign, k);
-      factors.push_back(kernel::power(collected(kernel::scaled(p, sign)), k));
+      factors.push_back(power(collected(scaled(p, sign)), k));
     }
     factors.insert(factors.begin(), Expr(number));
     Exprs divisors;
-    for (const auto& [p, k] : under.factors)
-      divisors.push_back(kernel::power(kernel::expression(p), k));
+    for (const auto& [p, k] : under.factors) divisors.push_back(power(expression(p), k));
     const Expr whole = product_of(factors);
     return divisors.empty() ? whole : whole / product_of(divisors);
   }
@@ -164,15 +154,12 @@ private:
   Exprs collect;
 
   /// p as a sum of coefficient * powers of the collected atoms; each coefficient is factored again.
-  std::map<kernel::Monomial, Polynomial> coefficients_in(const Polynomial& p) const {
-    std::map<kernel::Monomial, Polynomial> coefficients;
+  std::map<Monomial, Polynomial> coefficients_in(const Polynomial& p) const {
+    std::map<Monomial, Polynomial> coefficients;
     for (const auto& [monomial, q] : p) {
-      kernel::Monomial key, rest;
-      for (const auto& factor : monomial) {
-        const bool is_key =
-            std::find(collect.begin(), collect.end(), factor.first) != collect.end();
-        (is_key ? key : rest).push_back(factor);
-      }
+      Monomial key, rest;
+      for (const auto& factor : monomial)
+        (is_among(factor.first, collect) ? key : rest).push_back(factor);
       coefficients[key] = coefficients[key] + Polynomial{{rest, q}};
     }
     return coefficients;
@@ -182,14 +169,13 @@ private:
   }
   Expr collected(const Polynomial& p) const {
     const auto coefficients = coefficients_in(p);
-    if (coefficients.size() == 1) return kernel::expression(p);
+    if (coefficients.size() == 1) return expression(p);
     Exprs terms;
     for (const auto& [key, coefficient] : coefficients) {
-      Simplifier inner({});
-      const Expr factor = inner.simplified(kernel::expression(coefficient));
-      terms.push_back(product_of({factor, kernel::expression({{key, 1}})}));
+      const Expr factor = Simplifier({}).simplified(expression(coefficient));
+      terms.push_back(product_of({factor, expression({{key, 1}})}));
     }
-    return kernel::sum(terms);
+    return sum(terms);
   }
 };
 }  // namespace
@@ -207,23 +193,22 @@ Exprs solve(const Exprs& equations, const Exprs& unknowns, const Exprs& collect)
   for (const ex& e : numerators) system.append(simplifier.translation.in_roots(e) == 0);
   Exprs out;
   try {
-    const ex solution = GiNaC::lsolve(system, symbols);
-    for (std::size_t i = 0; i < solution.nops(); ++i)
-      out.push_back(simplifier.from_ginac(solution.op(i).rhs()));
+    for (const ex& is : GiNaC::lsolve(system, symbols))
+      out.push_back(simplifier.from_ginac(is.rhs()));
   } catch (const std::exception& problem) {
-    kernel::refuse(std::string("GiNaC cannot solve for the unknowns: ") + problem.what());
+    refuse(std::string("GiNaC cannot solve for the unknowns: ") + problem.what());
   }
   bool found = out.size() == unknowns.size();
   for (const Expr& value : out)
-    for (const Expr& u : unknowns) found = found && kernel::free_variables(value).count(u) == 0;
-  if (!found) kernel::refuse("the equations do not determine the unknowns");
+    for (const Expr& u : unknowns) found = found && free_variables(value).count(u) == 0;
+  if (!found) refuse("the equations do not determine the unknowns");
   return out;
 }
 Expr simplified(Expr term, const Exprs& collect) {
   Simplifier simplifier(collect);
-  if (!kernel::is_matrix(term)) return simplifier.simplified(term);
-  Exprs entries;
-  for (const Expr& e : kernel::entries(term)) entries.push_back(simplifier.simplified(e));
-  return kernel::matrix(term.cols(), entries);
+  if (!is_matrix(term)) return simplifier.simplified(term);
+  Exprs out;
+  for (const Expr& e : entries(term)) out.push_back(simplifier.simplified(e));
+  return matrix(term.cols(), out);
 }
 }  // namespace algebra

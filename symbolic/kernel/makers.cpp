@@ -77,14 +77,6 @@ Expr transpose(Expr a) { return make({.op = Op::Transpose, .args = {a}}); }
 Expr power(Expr a, Expr n) { return make({.op = Op::MatrixPower, .args = {a, n}}); }
 Expr det(Expr a) { return make({.op = Op::Det, .args = {a}}); }
 
-namespace {
-Expr product_entry(Expr a, int i, int j) {
-  Exprs terms;
-  for (int k = 0; k < a.arg(0).cols(); ++k)
-    terms.push_back(product({entry(a.arg(0), i, k), entry(a.arg(1), k, j)}));
-  return sum(terms);
-}
-}  // namespace
 Expr entry(Expr a, int i, int j) {
   if (a.sort() != Sort::Matrix) refuse("a matrix is needed");
   if (i < 0 || i >= a.rows() || j < 0 || j >= a.cols()) refuse("no such entry");
@@ -95,9 +87,10 @@ Expr entry(Expr a, int i, int j) {
   static std::map<std::pair<Expr, int>, Expr> known;  // else A B C D ... takes 3^n steps
   const std::pair<Expr, int> key{a, place};
   if (const auto it = known.find(key); it != known.end()) return it->second;
-  const Expr out = product_entry(a, i, j);
-  known.emplace(key, out);
-  return out;
+  Exprs terms;
+  for (int k = 0; k < a.arg(0).cols(); ++k)
+    terms.push_back(product({entry(a.arg(0), i, k), entry(a.arg(1), k, j)}));
+  return known.emplace(key, sum(terms)).first->second;
 }
 Exprs entries(Expr a) {
   Exprs out;

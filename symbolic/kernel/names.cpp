@@ -20,17 +20,15 @@ std::map<std::string, Signature>& functions() {
 }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_integer_variable(const std::string& name) {
-  const auto it = variables().find(name);
-  return it != variables().end() && it->second == Sort::Int;
-}
 // Would `name` print as the function at an index: u_1, a_n?
 bool reads_as_index(const std::string& name, const std::string& function) {
   const std::string start = stem(function);
   if (!name.starts_with(start)) return false;
   const std::string index = name.substr(start.size());
   if (index.empty()) return false;
-  return std::all_of(index.begin(), index.end(), is_digit) || is_integer_variable(index);
+  const auto it = variables().find(index);
+  return std::all_of(index.begin(), index.end(), is_digit) ||
+         (it != variables().end() && it->second == Sort::Int);
 }
 std::string read_as_index(const std::string& name, const std::string& function) {
   return name + " could be read as " + function + " at an index";

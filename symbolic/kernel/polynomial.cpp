@@ -161,9 +161,7 @@ Polynomial scaled(const Polynomial& a, const cln::cl_RA& q) {
 Polynomial polynomial(Expr t) {
   static std::map<Expr, Polynomial> known;
   if (const auto it = known.find(t); it != known.end()) return it->second;
-  const Polynomial p = computed(t);
-  known.emplace(t, p);
-  return p;
+  return known.emplace(t, computed(t)).first->second;
 }
 Expr expression(const Polynomial& p) {
   Exprs terms;
@@ -179,8 +177,6 @@ Expr expression(const Polynomial& p) {
 Expr canonical(Expr e) {
   static std::map<Expr, Expr> known;
   if (const auto it = known.find(e); it != known.end()) return it->second;
-  const Expr out = computed_canonical(e);
-  known.emplace(e, out);
-  return out;
+  return known.emplace(e, computed_canonical(e)).first->second;
 }
 }  // namespace kernel

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <sstream>
+#include <tuple>
 
 #include <cln/rational_io.h>
 
@@ -65,7 +66,8 @@ public:
       case Op::Pow:
         return {at_least(Atom, e.arg(0)) + "^" + std::to_string(e.exponent()), Power};
       case Op::Not:
-        return print_not(e.arg(0));
+        if (e.arg(0).op() == Op::Eq) return {joined(e.arg(0).args(), " != ", Sum), Relation};
+        return {"not " + at_least(Atom, e.arg(0)), Relation};
       case Op::All:
         return print_all(e);
       case Op::Matrix:
@@ -227,10 +229,6 @@ private:
     const std::string words = "for every " + sort + name + range + ": " + at_least(Every, body);
     names.pop_back();
     return {words, Every};
-  }
-  Piece print_not(Expr f) {
-    if (f.op() == Op::Eq) return {joined(f.args(), " != ", Sum), Relation};
-    return {"not " + at_least(Atom, f), Relation};
   }
 };
 }  // namespace

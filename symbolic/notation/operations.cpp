@@ -14,29 +14,24 @@ namespace {
 constexpr int largest_exponent = 10000;
 constexpr std::size_t most_bits = 70000;
 
+// Each name, and what it is of x.
 const std::map<std::string, std::string>& definitions() {
   static const auto table = [] {
-    std::map<std::string, std::string> all{{"cbrt", "root(x, 3)"},
-                                           {"tan", "sin(x)/cos(x)"},
-                                           {"cot", "cos(x)/sin(x)"},
-                                           {"sec", "1/cos(x)"},
-                                           {"csc", "1/sin(x)"},
-                                           {"sinh", "(exp(x) - exp(-x))/2"},
-                                           {"cosh", "(exp(x) + exp(-x))/2"},
-                                           {"tanh", "(exp(x) - exp(-x))/(exp(x) + exp(-x))"},
-                                           {"coth", "(exp(x) + exp(-x))/(exp(x) - exp(-x))"},
-                                           {"csch", "2/(exp(x) - exp(-x))"},
-                                           {"sech", "2/(exp(x) + exp(-x))"},
-                                           {"asinh", "log(x + sqrt(x^2 + 1))"},
-                                           {"acosh", "log(x + sqrt(x^2 - 1))"},
-                                           {"atanh", "log((1 + x)/(1 - x))/2"}};
+    std::map<std::string, std::string> all;
     for (const std::string name :
          {"sqrt", "abs", "sin", "cos", "asin", "acos", "atan", "exp", "log"})
       all.emplace(name, "");
     std::istringstream others(
-        "arcsin asin arccos acos arctan atan arctg atan tg tan ctg cot cosec csc ln log arsinh "
-        "asinh arcosh acosh artanh atanh arcsinh asinh arccosh acosh arctanh atanh");
-    for (std::string other, name; others >> other >> name;) all.emplace(other, name + "(x)");
+        "cbrt root(x,3) tan sin(x)/cos(x) cot cos(x)/sin(x) sec 1/cos(x) csc 1/sin(x) "
+        "sinh (exp(x)-exp(-x))/2 cosh (exp(x)+exp(-x))/2 "
+        "tanh (exp(x)-exp(-x))/(exp(x)+exp(-x)) coth (exp(x)+exp(-x))/(exp(x)-exp(-x)) "
+        "sech 2/(exp(x)+exp(-x)) csch 2/(exp(x)-exp(-x)) asinh log(x+sqrt(x^2+1)) "
+        "acosh log(x+sqrt(x^2-1)) atanh log((1+x)/(1-x))/2 "
+        "arcsin asin(x) arccos acos(x) arctan atan(x) arctg atan(x) tg tan(x) ctg cot(x) "
+        "cosec csc(x) ln log(x) arsinh asinh(x) arcosh acosh(x) artanh atanh(x) "
+        "arcsinh asinh(x) arccosh acosh(x) arctanh atanh(x)");
+    for (std::string other, definition; others >> other >> definition;)
+      all.emplace(other, definition);
     return all;
   }();
   return table;
