@@ -71,7 +71,10 @@ Sum Forms::function(Expr term) {
   const Sum x = of(term.arg(0));
   if (name == "inv") return integer_power(x, -1);
   if (name == "sqrt") return real_power(x, exponent(cln::cl_RA(1) / 2));
-  if (name == "abs") return modulus(x);
+  if (name == "abs") {
+    if (x.empty() || is_not_negative(x)) return x;
+    return has_sign(x, -1, false) ? scaled(x, -1) : real_power(x, exponent(1));
+  }
   if (name == "exp") return exponential(x);
   if (name == "log") return logarithm(x);
   if (name == "sin" || name == "cos") {
@@ -185,11 +188,6 @@ Sum Forms::odd_root(const Sum& base, int order) {
   if (is_not_negative(base)) return real_power(base, e);
   if (has_sign(base, -1, false)) return scaled(real_power(scaled(base, -1), e), -1);
   return times(base, real_power(base, e + exponent(-1)));  // x |x|^(1/k - 1)
-}
-Sum Forms::modulus(const Sum& sum) {
-  if (sum.empty() || is_not_negative(sum)) return sum;
-  if (has_sign(sum, -1, false)) return scaled(sum, -1);
-  return real_power(sum, exponent(1));
 }
 Sum Forms::logarithm(const Sum& sum) {
   if (sum.empty()) throw NotDefined("the logarithm of 0");

@@ -113,7 +113,6 @@ private:
   Sum real_power(const Sum& base, const Exponent& exponent);
   Product power_of_modulus(const Sum& base, const Exponent& exponent);
   Sum odd_root(const Sum& base, int order);
-  Sum modulus(const Sum& sum);
   Sum logarithm(const Sum& sum);
   Sum exponential(const Sum& sum);
   Sum divided(Sum sum);
@@ -131,13 +130,11 @@ private:
   Sum sum_of(const Exponent& exponent);
   bool is_integer(const Exponent& exponent) const;
   bool is_integer_symbol(Expr atom) const;
-  bool is_half_turn(const kernel::Monomial& monomial) const;
   bool is_complex(Expr atom);
   Sum conjugated(const Sum& sum);
   Expr expression(const Product& product);
 
   Sum expanded(Sum sum, Product* divisor = nullptr);
-  bool is_zero_number(const Sum& coefficient);
   /// The sign (1 or -1) is proved; strictly: without 0.
   bool has_sign(const Sum& sum, int sign, bool strictly);
   // 2: positive, 1: not negative, 0: not known, -1 and -2 likewise

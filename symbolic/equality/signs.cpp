@@ -86,15 +86,13 @@ bool Forms::is_zero(const Sum& sum) {
                            !is_complex(atom) && is_algebraic(atom);
     return is_number ? e : Exponent();
   };
-  return std::ranges::all_of(coefficients(expanded(sum), constant),
-                             [&](const auto& term) { return is_zero_number(term.second); });
-}
-bool Forms::is_zero_number(const Sum& coefficient) {
-  if (coefficient.size() == 1) return false;
-  const Sum other = conjugated(coefficient);
-  for (const Sum& part : {coefficient + other, times(imaginary(), coefficient - other)}) {
-    const std::optional<Expr> real = real_expression(part);
-    if (!real || exact_sign(*real) != 0) return false;
+  for (const auto& [product, coefficient] : coefficients(expanded(sum), constant)) {
+    if (coefficient.size() == 1) return false;
+    const Sum other = conjugated(coefficient);
+    for (const Sum& part : {coefficient + other, times(imaginary(), coefficient - other)}) {
+      const std::optional<Expr> real = real_expression(part);
+      if (!real || exact_sign(*real) != 0) return false;
+    }
   }
   return true;
 }

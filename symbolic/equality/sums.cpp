@@ -140,7 +140,10 @@ void Forms::reduce_modulus(Product& product, cln::cl_RA& number, Expr atom, cons
 // z^pi is -1.
 void Forms::reduce_turns(Product& product, cln::cl_RA& number, const Exponent& e) const {
   for (const auto& [monomial, q] : Exponent(e)) {
-    if (!is_half_turn(monomial)) continue;
+    kernel::Monomial others = monomial;  // pi times an integer?
+    if (std::erase(others, std::pair(kernel::pi(), 1)) == 0) continue;
+    const auto is_integer = [&](const auto& part) { return is_integer_symbol(part.first); };
+    if (!std::ranges::all_of(others, is_integer)) continue;
     cln::cl_RA turns = 2 * cln::floor1(q / 2);
     if (monomial == kernel::Monomial{{kernel::pi(), 1}} && q - turns >= 1) {
       turns = turns + 1;
@@ -148,13 +151,6 @@ void Forms::reduce_turns(Product& product, cln::cl_RA& number, const Exponent& e
     }
     if (turns != 0) multiply(product, circle(), {{monomial, -turns}});
   }
-}
-/// pi times an integer.
-bool Forms::is_half_turn(const kernel::Monomial& monomial) const {
-  kernel::Monomial others = monomial;
-  return std::erase(others, std::pair(kernel::pi(), 1)) == 1 &&
-         std::ranges::all_of(others,
-                             [&](const auto& part) { return is_integer_symbol(part.first); });
 }
 bool Forms::is_complex(Expr atom) {
   if (atom == circle()) return true;
