@@ -13,7 +13,7 @@ bool is_angle_function(Expr e) {
   static const std::set<std::string> names{"sin", "cos", "atan", "asin", "acos"};
   return e.op() == Op::Fun && names.contains(e.name());
 }
-bool is_quotient(Expr e) { return equality::is_function(e, "inv") && e.arg(0).op() != Op::Num; }
+bool is_quotient(Expr e) { return kernel::is_call(e, "inv") && e.arg(0).op() != Op::Num; }
 
 /// The first part, outer ones first, of which `is_lack` is true; none inside of functions of
 /// angles.

@@ -284,8 +284,8 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
   std::vector<Words> bounds;
   for (const Case& c : q.cases) {
     bounds.push_back(CaseEmitter(q, c, e).outputs);
-    visits += "    if (" + condition(q, c) + ") {\n      return f.template operator()<" + Q +
-              capital(c.name) + ">();\n    }\n";
+    visits += "    if (" + condition(q, c) + ")\n      return f.template operator()<" + Q +
+              capital(c.name) + ">();\n";
   }
   const std::string of_arrays =
       !q.has_arrays ? ""

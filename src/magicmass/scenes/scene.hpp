@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include "balls/quadratic.hpp"
+#include "balls/ball.hpp"
 #include "magicmass/numbers/errors.hpp"
 #include "magicmass/simulator/line.hpp"
 #include "notation/alpha.hpp"

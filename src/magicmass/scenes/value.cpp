@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 
 #include "magicmass/numbers/accurate.hpp"
+#include "magicmass/plain/closed.hpp"
+#include "magicmass/scenes/scene.hpp"
 #include "notation/typed.hpp"
 
 namespace magicmass::scenes {

@@ -7,7 +7,6 @@
 // A polynomial is proved step by step; functions are sequences of these operations.
 #include <cmath>
 #include <cstdio>
-#include <map>
 #include <sstream>
 
 #include "catch.hpp"
