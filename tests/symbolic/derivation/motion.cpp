@@ -17,18 +17,54 @@ using Trio = law::ThreeBodies<cl_R>;
 
 cl_R acos(const cl_R& x) { return cln::realpart(cln::acos(x)); }
 cl_R root(const cl_R& x) { return cln::realpart(cln::sqrt(exact(x))); }
-/// x holds M_A, 1/M_B or 0 for a wall, M_C, e, V, and perhaps L.
-Trio trio(const Vector& x) {
+/// x holds M_A, 1/M_B or 0 for a wall, M_C, e, V, and perhaps W, d_A and d_B: B is at 0, at rest.
+bool has_places(const Vector& x) { return x.size() > 7; }
+Trio start(const Vector& x) {
   if (x[0] <= 0 || x[1] < 0 || x[2] <= 0) throw Undefined();
-  const cl_R L = x.size() > 5 ? x[5] : 1;
-  return {x[0], x[1], x[2], x[3], {exact(x[4]), exact(0), exact(0)}, {0, L, 0}};
+  const cl_R W = x.size() > 5 ? x[5] : 0;
+  Trio t{x[0], x[1], x[2], x[3], {exact(x[4] + W), exact(0), exact(W)}, {}};
+  if (has_places(x)) t.place = {-x[6] - x[7], exact(0), -x[7]};
+  return t;
+}
+void wait(Trio& t) {
+  if (cln::abs(t.approach()) < tiny()) throw Undefined();
+  t.wait();
+}
+Trio after(const Vector& x, int collisions) {
+  if (collisions < 0) throw Undefined();
+  Trio t = start(x);
+  while (t.N < collisions) {
+    if (has_places(x)) wait(t);
+    t.collide();
+  }
+  return t;
+}
+/// At collision j, before it: x holds V, perhaps L, and j; A comes to C at 0, at time 0.
+Trio trio_at(const Vector& x) {
+  Vector from(x.begin(), x.begin() + 5);
+  if (x.size() == 6) return after(from, whole(x[5]));
+  from.insert(from.end(), {0, 0, x[5]});
+  Trio t = after(from, whole(x[6]));
+  wait(t);
+  for (cl_R& place : t.place) place = place + x[5];
+  return t;
+}
+/// How many collisions there are, where they end soon.
+int count_of(const Vector& x, const cl_R& still) {
+  Trio t = start(x);
+  while (t.approach() > still) {
+    if (t.N == 10000) throw Undefined();
+    t.collide();
+    // Seen from the ball, unless there is a wall, and by a unit that shrinks as speeds do.
+    const cl_R centre = t.per_B == 0 ? cl_R(0) : t.v[2], unit = root(t.e);
+    for (cl_R& v : t.v) v = (v - centre) / unit;
+  }
+  return t.N;
 }
 /// Two equal blocks that lose nothing, after their last collision.
-Trio end_of(const cl_R& alpha, const cl_R& V, const cl_R& still) {
-  if (V <= 0) throw Undefined();
-  Trio t = trio({1, 1, alpha, 1, V});
-  while (t.approach() > still) t.collide();
-  return t;
+Trio end_of(const cl_R& alpha, const cl_R& V) {
+  const Vector x{1, 1, alpha, 1, V};
+  return after(x, count_of(x, tiny()));
 }
 /// The least alpha with a count of at most k, by halving.
 cl_R threshold(bool of_A, int k) {
@@ -38,53 +74,10 @@ cl_R threshold(bool of_A, int k) {
   cl_R lo = exact(0), hi = exact(1) + exact(1) / 1000;
   for (int i = 0; i < 230; ++i) {
     const cl_R middle = (lo + hi) / 2;
-    const int N = end_of(middle, 1, 0).N;
+    const int N = count_of({1, 1, middle, 1, 1}, 0);
     ((of_A ? N + 1 : N) / 2 <= k ? hi : lo) = middle;
   }
   return known[{of_A, k}] = hi;
-}
-/// At collision j, before it.
-Trio trio_at(Vector x, bool with_places) {
-  const int j = whole(x.back());
-  x.pop_back();
-  Trio t = trio(x);
-  if (j < 0) throw Undefined();
-  while (t.N < j) {
-    t.collide();
-    if (with_places && cln::abs(t.approach()) < tiny()) throw Undefined();
-    if (with_places) t.wait();
-  }
-  return t;
-}
-/// x holds V and W, too, and perhaps d_A and d_B: B is at 0 and at rest.
-Trio trio_from(const Vector& x) {
-  Trio t = trio({x[0], x[1], x[2], x[3], x[4]});
-  t.v[0] = exact(x[4] + x[5]);
-  t.v[2] = exact(x[5]);
-  if (x.size() > 7) t.place = {-x[6] - x[7], exact(0), -x[7]};
-  return t;
-}
-/// After j collisions, or j + 1 of them with places.
-Trio trio_after(const Vector& x, int j, bool with_places) {
-  if (j < 0) throw Undefined();
-  Trio t = trio_from(x);
-  while (t.N < j + (with_places ? 1 : 0)) {
-    if (with_places && cln::abs(t.approach()) < tiny()) throw Undefined();
-    if (with_places) t.wait();
-    t.collide();
-  }
-  return t;
-}
-/// How many collisions there are, where they end soon.
-int count_of(Trio t) {
-  while (t.N < 10000) {
-    if (t.approach() <= tiny()) return t.N;
-    t.collide();
-    // Seen from the ball, unless there is a wall, and by a unit that shrinks as speeds do.
-    const cl_R centre = t.per_B == 0 ? cl_R(0) : t.v[2], unit = root(t.e);
-    for (cl_R& v : t.v) v = (v - centre) / unit;
-  }
-  throw Undefined();
 }
 /// Chebyshev's U_j by its sum of powers.
 cl_R chebyshev(const cl_R& x, int j) {
@@ -101,7 +94,7 @@ Matrix collisions(const cl_R& M_A, const cl_R& ball, bool with_A, bool with_B) {
   const cl_R scale[]{root(M_A), 1, root(ball)};
   Matrix m(3, Vector(3));
   for (std::size_t col = 0; col < 3; ++col) {
-    Trio t = trio({M_A, 1, ball, 1, 0});
+    Trio t = start({M_A, 1, ball, 1, 0});
     t.v[col] = 1 / scale[col];
     if (with_A) t.collide();
     t.N = 1;
@@ -165,9 +158,9 @@ Matrix matrix_function(const std::string& f, const Vector& x) {
     return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}};
   if (f == "P_2") return {{1, 0}, {0, -1}};
   if (f == "P_3") return {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
-  if (f == "mirror" || f == "Gamma") {
-    const Matrix m =
-        f == "Gamma" ? collisions(1, x[0], true, false) : collisions(x[0], x[1], true, false);
+  if (f == "Gamma") return matrix_function("mirror", {1, x[0]});
+  if (f == "mirror") {
+    const Matrix m = collisions(x[0], x[1], true, false);
     return {{m[0][0], m[0][2]}, {m[2][0], m[2][2]}};
   }
   if (f != "V_") throw std::runtime_error("no numbers for the matrix " + f);
@@ -182,29 +175,25 @@ cl_R function(const std::string& f, const Vector& x) {
   if (f == "U" || f == "U_last") return chebyshev(x[0], whole(x[1]) - (f == "U" ? 0 : 1));
   if (f == "r_A") return root(x[0] / (x[0] + x[1]));
   if (f == "r_B") return root(1 / (1 + x[0] * x[1]));
-  if (f == "kappa" || f == "h_e" || f == "y_e") {
-    // The second speed of a motion with V = 1 tells it.
-    Trio t = trio({x[0], x[1], x[2], x[3], 1});
-    t.collide();
-    const cl_R share_A = x[0] / (x[0] + x[2]), share_B = 1 / (1 + x[1] * x[2]);
-    const cl_R kappa = t.approach() * root(share_B / share_A) / (2 * root(x[3]));
-    if (f == "kappa") return kappa;
+  if (f == "kappa") {  // the second speed of a motion with V = 1 tells it
+    const cl_R speed = after({x[0], x[1], x[2], x[3], 1}, 1).approach();
+    const cl_R r_A = function("r_A", {x[0], x[2]}), r_B = function("r_B", {x[1], x[2]});
+    return speed * r_B / (2 * r_A * root(x[3]));
+  }
+  if (f == "h_e" || f == "y_e") {
+    const cl_R kappa = function("kappa", x);
     if (f == "h_e" ? kappa >= 1 : kappa < 1) throw Undefined();
     return f == "h_e" ? acos(kappa) : kappa - root(kappa * kappa - 1);
   }
-  if (f == "N_e") return count_of(trio(x));
-  if (f == "N_any") return count_of(trio_from(x));
+  if (f == "N_e" || f == "N_any") return count_of(x, tiny());
   if (f.starts_with("any_x_")) {
-    const int j = whole(x[9]);
-    const Trio t = j == 0 ? trio_from(x) : trio_after(x, j - 1, true);
+    const Trio t = after(x, whole(x[9]));
     const std::size_t body = std::size_t(f[6] - 'A');
     return t.place[body] + t.v[body] * (x[8] - t.time);
   }
-  if (f == "nearing" || f.starts_with("any_")) {
-    const Trio t = trio_after(x, whole(x[6]), false);
-    return f == "nearing" ? t.approach() : t.v[std::size_t(f[4] - 'A')];
-  }
-  if (f == "instant" || f == "moment") return trio_after(x, whole(x[8]), true).time;
+  if (f == "nearing") return after(x, whole(x[6])).approach();
+  if (f.starts_with("any_")) return after(x, whole(x[6])).v[std::size_t(f[4] - 'A')];
+  if (f == "instant" || f == "moment") return after(x, whole(x[8]) + 1).time;
   if (f == "before" || f == "after") {
     const cl_R A = x[4] * x[8] - x[6], B = x[5] * x[8] - x[7], later = f == "before" ? 0 : 1;
     return function("nearing", {x[0], x[1], x[2], x[3], A, B, x[9] + later});
@@ -214,23 +203,22 @@ cl_R function(const std::string& f, const Vector& x) {
     next[9] = x[9] + 1;
     return function(std::string("any_x_") + f[0], next);
   }
-  if (f == "v_A" || f == "v_B" || f == "v_C") return trio_at(x, false).v[std::size_t(f[2] - 'A')];
-  if (f == "x_A" || f == "x_B" || f == "x_C")
-    return trio_at(x, true).place[std::size_t(f[2] - 'A')];
-  if (f == "time") return trio_at(x, true).time;
+  if (f.starts_with("v_")) return trio_at(x).v[std::size_t(f[2] - 'A')];
+  if (f.starts_with("x_")) return trio_at(x).place[std::size_t(f[2] - 'A')];
+  if (f == "time") return trio_at(x).time;
+  if (f == "closing") return trio_at(x).approach();
   if (f == "when" || f == "apart") {
-    const Trio t = trio_at({1, 1, x[0], 1, x[1], x[2], x[3]}, true);
+    const Trio t = trio_at({1, 1, x[0], 1, x[1], x[2], x[3]});
     return f == "when" ? t.time : t.place[1] - t.place[0];
   }
   if (f == "a_e" || f == "b_e" || f == "c_e" || f == "c_e'") {
     const cl_R collisions = 2 * x[3] - (f == "c_e" ? 1 : 0);
-    const std::size_t body = std::size_t(f[0] - 'a');
-    return trio_at({1, 1, x[0], x[2], x[1], collisions}, false).v[body];
+    return trio_at({1, 1, x[0], x[2], x[1], collisions}).v[std::size_t(f[0] - 'a')];
   }
   if (f == "cradle_speed" || f == "cradle_count") {
     cl_R speed = x[0], count = 0;
     for (int i = 1; i <= x[1]; ++i) {
-      const Trio end = end_of(threshold(true, i), speed, tiny());
+      const Trio end = end_of(threshold(true, i), speed);
       speed = end.v[1];
       count = count + end.N;
     }
@@ -245,7 +233,6 @@ cl_R function(const std::string& f, const Vector& x) {
     }
     return sum;
   }
-  if (f == "closing") return trio_at(x, false).approach();
   if (f == "turn") return whole(x[0]) % 2 == 0 ? 1 : -1;
   if (f == "alpha_") return threshold(true, whole(x[0]));
   if (f == "beta_") return threshold(false, whole(x[0]));
@@ -255,7 +242,7 @@ cl_R function(const std::string& f, const Vector& x) {
   if (f == "c" && x[2] == 0) return exact(0);
   if (f == "a" || f == "b" || f == "c" || f == "c'")
     return function(f.substr(0, 1) + "_e" + f.substr(1), {x[0], x[1], 1, x[2]});
-  const Trio end = end_of(x[0], x[1], tiny());
+  const Trio end = end_of(x[0], x[1]);
   if (f == "N") return end.N;
   if (f == "N_A") return (end.N + 1) / 2;
   if (f == "N_B") return end.N / 2;

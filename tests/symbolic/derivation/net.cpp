@@ -154,21 +154,13 @@ cl_R between(double lo, double hi) {
   const cl_R share = exact(cl_R(any_of(1 << 30))) / exact(cl_R(1 << 30));
   return exact(cl_R(lo)) + share * exact(cl_R(hi - lo));
 }
-/// Contact: momentum, energy and a change, as the law has them.
-bool collides(const std::vector<cl_R>& x) {
-  const auto kept = [&](const cl_R& before, const cl_R& after) { return sign(before, after) == 0; };
-  return kept(x[0] * x[2] + x[1] * x[3], x[0] * x[4] + x[1] * x[5]) &&
-         kept(x[0] * x[2] * x[2] + x[1] * x[3] * x[3], x[0] * x[4] * x[4] + x[1] * x[5] * x[5]) &&
-         sign(x[2], x[4]) != 0;
-}
-/// At a wall.
-bool rebounds(const std::vector<cl_R>& x) {
-  return sign(x[4], x[2]) == 0 && sign(x[4] - x[3], x[0] * (x[1] - x[2])) == 0;
-}
-/// The same with restitution, which comes first.
-bool hits(const std::vector<cl_R>& x) {
-  return sign(x[1] * x[3] + x[2] * x[4], x[1] * x[5] + x[2] * x[6]) == 0 &&
-         sign(x[6] - x[5], x[0] * (x[3] - x[4])) == 0;
+/// Of an impact with restitution: e, masses, velocities before and after. A contact loses nothing;
+/// what rebounds from a wall has no mass beside it.
+std::vector<cl_R> of_impact(Expr law, const Point& point) {
+  std::vector<cl_R> x = values(law, point);
+  if (law.name() == "contact") x.insert(x.begin(), 1);
+  if (law.name() == "rebound") x.insert(x.begin() + 1, {0, 1});
+  return x;
 }
 
 cl_R value(Expr e, const Point& point) {
@@ -208,9 +200,10 @@ bool truth(Expr f, const Point& point) {
       if (!holds(kernel::open(f, x))) return false;
     return true;
   }
-  if (f.name() == "impact") return hits(values(f, point));
-  if (f.name() == "rebound") return rebounds(values(f, point));
-  return f.name() == "contact" ? collides(values(f, point)) : throw Undefined();
+  const std::vector<cl_R> x = of_impact(f, point);
+  const cl_R before = x[1] * x[3] + x[2] * x[4], after = x[1] * x[5] + x[2] * x[6];
+  return sign(before, after) == 0 && sign(x[6] - x[5], x[0] * (x[3] - x[4])) == 0 &&
+         (f.name() != "contact" || sign(x[3], x[5]) != 0);
 }
 
 /// The hypotheses are asked for there: variables at random, equations solved.
@@ -254,17 +247,11 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
   for (const Expr& v : variables) last = point[v] = drawn(v);
   if (variables.count(kernel::real("d_A")) && point[kernel::real("V")] == 0) throw Undefined();
   for (const Expr& h : hypotheses) {
-    if (h.op() == Op::Fun && (h.name() == "contact" || h.name() == "impact")) {
-      auto x = values(h, point);
-      if (h.name() == "contact") x.insert(x.begin(), 1);
+    if (h.op() == Op::Fun) {
+      const std::vector<cl_R> x = of_impact(h, point);
       const cl_R centre = (x[1] * x[3] + x[2] * x[4]) / (x[1] + x[2]);
       point[h.arg(h.size() - 2)] = (1 + x[0]) * centre - x[0] * x[3];
       point[h.arg(h.size() - 1)] = (1 + x[0]) * centre - x[0] * x[4];
-    }
-    if (h.op() == Op::Fun && h.name() == "rebound") {
-      const auto x = values(h, point);
-      point[h.arg(3)] = x[2] - x[0] * (x[1] - x[2]);
-      point[h.arg(4)] = x[2];
     }
     if (h.op() == Op::Eq && h.arg(0).op() == Op::Var && !free_variables(h.arg(1)).count(h.arg(0)))
       point[h.arg(0)] =
