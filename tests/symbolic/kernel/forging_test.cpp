@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "catch.hpp"
+#include "rows.hpp"
 
 namespace {
 namespace fs = std::filesystem;
@@ -75,7 +76,7 @@ std::vector<std::string> forged(const std::vector<fs::path>& folders) {
 TEST_CASE("no room that sees the kernel holds a forging word") {
   std::vector<fs::path> folders;
   for (const char* folder : {"symbolic", "src", "tutorials", "examples"})
-    folders.push_back(fs::path(MAGICMASS_SOURCE_DIR) / folder);
+    folders.push_back(fs::path(MAGICMASS_SOURCE) / folder);
   CHECK(forged(folders) == std::vector<std::string>{});
   const auto all = seeing(folders);
   CHECK(all.size() > 100);
@@ -97,29 +98,13 @@ TEST_CASE("a planted forgery is found, and named") {
   plant("kernel/rules.cpp", "namespace kernel { }");
   plant("honest.cpp", "using namespace kernel;\n// no cast here\nint x = kernel::f();\n");
   CHECK(forged({folder}).empty());
-  for (const auto& [code, word] : std::vector<std::pair<std::string, std::string>>{
-           {"namespace kernel { struct Rules; }", "namespace kernel"},
-           {"namespace\n kernel::inner {}", "namespace kernel"},
-           {"namespace /* hidden */ kernel {}", "namespace kernel"},
-           {"namespace [[maybe_unused]] kernel {}", "namespace kernel"},
-           {"auto& e = const_cast<Exprs&>(t.hypotheses());", "const_cast"},
-           {"auto& e = reinterpret_cast<Fake&>(t);", "reinterpret_cast"},
-           {"auto t = std::bit_cast<Theorem>(fake);", "bit_cast"},
-           {"std::memcpy(&t, &u, sizeof t);", "memcpy"},
-           {"std::memmove(&t, &u, sizeof t);", "memmove"},
-           {"using T = Theorem; template struct Thief<&T::content>;", "::content>"},
-           {"using T = Theorem; using C = T::Content;", "::Content"},
-           {"template struct Thief<&Expr::place>;", "::place"},
-           {"Theorem kernel::assume(Expr f) { return lie(f); }", "Theorem kernel::"},
-           {"Theorems kernel::define_recursive() { return {}; }", "Theorems kernel::"},
-           {"using S = kernel::Theorem :: Hidden;", "Theorem::"},
-           {"auto s = \"//\"; auto& e = const_cast<Exprs&>(f);", "const_cast"},
-           {"#define private public", "#define"},
-           {"# def\\\nine private public", "#define"},
-           {"#include \"kernel/logic.cpp\"", "code that is no header"}}) {
+  const auto rows = rows_of("symbolic/kernel/forged.tsv", 2);
+  REQUIRE(rows.size() == 19);
+  for (const auto& row : rows) {
+    const std::string code = std::regex_replace(row[0], std::regex(R"(\\n)"), "\n");
     INFO(code);
     plant("forged.cpp", code);
-    CHECK(forged({folder}) == std::vector<std::string>{"forged.cpp: " + word});
+    CHECK(forged({folder}) == std::vector<std::string>{"forged.cpp: " + row[1]});
   }
   fs::remove(folder / "forged.cpp");
   const fs::path room = folder.parent_path() / "src";
