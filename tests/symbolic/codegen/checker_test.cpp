@@ -22,57 +22,54 @@ using cln::cl_RA;
 using codegen::NumberType;
 using kernel::Expr;
 using kernel::Op;
-// Error bounds as they are printed for a reader, read back and evaluated.
-using Printed = std::map<std::string, std::string>;
+/// An error bound as it is printed for a reader: "2^-73.7 |P| + 2^-147.4".
+struct Bound {
+  std::string text;
+  double share = 1;  // what the unnamed value whose size it may have is of the value: a power of 2
 
-/// "2^-73.7 |P| + 2^-147.4" with the sizes of values at a point; an unnamed one is that of the
-/// value itself.
-double evaluated(const std::string& bound, const auto& values, double own) {
-  std::istringstream words(bound + " +");
-  double sum = 0;
-  double product = 1;
-  for (std::string word; words >> word;) {
-    if (word == "+") {
-      sum += product;
-      product = 1;
-    } else if (word[0] != '|') {
-      product *= word == "0" ? 0 : std::exp2(std::stod(word.substr(2)));
-    } else {
-      const auto found = values.find(word.substr(1, word.size() - 2));
-      product *= found == values.end() ? own : found->second.size;
+  /// With the sizes of values at a point; an unnamed one is a share of the value's own.
+  double evaluated(const auto& values, double own) const {
+    std::istringstream words(text + " +");
+    double sum = 0;
+    double product = 1;
+    for (std::string word; words >> word;) {
+      if (word == "+") {
+        sum += product;
+        product = 1;
+      } else if (word[0] != '|') {
+        product *= word == "0" ? 0 : std::exp2(std::stod(word.substr(2)));
+      } else {
+        const auto found = values.find(word.substr(1, word.size() - 2));
+        product *= found == values.end() ? own * share : found->second.size;
+      }
     }
+    return sum;
   }
-  return sum;
-}
-/// The bounds below a heading: "STEP plus", "OUTPUT a", "SIGN distance". A
-/// value that is another, unnamed one times a power of 2 has bounds in terms of
-/// that one's size: by both steps, a share.
+};
+using Printed = std::map<std::string, Bound>;
+/// The bounds below a heading: "STEP plus", "OUTPUT a", "SIGN distance".
 Printed bounds_in(const std::string& errors, const std::string& heading) {
   Printed r;
   const std::size_t from = errors.find(heading + "\n");
   std::istringstream lines(errors.substr(from, errors.find("\n\n", from) - from));
   static const std::regex single("2\\^(\\S+) \\|(t[0-9]+)\\|");
   std::smatch term;
-  std::map<std::string, std::string> shares;
-  std::map<std::string, double> exponents;
+  std::map<std::string, double> exponents, shares;  // of unnamed values
   for (std::string line; std::getline(lines, line);) {
-    const std::size_t colon = line.find(": ");  // a line may be too long for std::regex
+    const std::size_t colon = line.find(": ");
     if (!line.starts_with("  ") || colon == std::string::npos) continue;
     const std::string name = line.substr(2, colon - 2);
     const bool is_step = name.find(' ') == std::string::npos;
     if (!is_step && !name.starts_with("OUTPUT ") && !name.starts_with("SIGN ")) continue;
-    std::string text = line.substr(colon + 2);
-    text.erase(std::min(text.find(';'), text.size()));
+    std::string text = line.substr(colon + 2, line.find(';') - colon - 2);
     if (text.starts_with("off by ")) text.erase(0, 7);
-    if (text.size() < 100 && std::regex_match(text, term, single)) {
-      const double exponent = std::stod(term[1]);
-      if (is_step) {
-        const double share = exponents.insert({term[2], exponent}).first->second - exponent;
-        shares[term[2]] = "2^" + std::to_string(share) + " ";
-      }
-      text = shares[term[2]] + text;
-    }
-    r[(is_step ? "STEP " : "") + name] = text;
+    Bound& bound = r[(is_step ? "STEP " : "") + name] = {text};
+    if (text.size() > 99 || !std::regex_match(text, term, single)) continue;
+    const std::string unnamed = term[2];
+    const double exponent = std::stod(term[1]);
+    if (is_step)
+      shares[unnamed] = std::exp2(exponents.insert({unnamed, exponent}).first->second - exponent);
+    bound.share = shares.insert({unnamed, 1}).first->second;
   }
   return r;
 }
@@ -112,7 +109,7 @@ public:
     const Value found = of(theorem.conclusion().arg(1));
     Value v = named[name.name()] = found;
     if (const auto step = steps.find("STEP " + name.name()); step != steps.end())
-      v.off = std::max(v.off, evaluated(step->second, named, v.size) * printed_up);
+      v.off = std::max(v.off, step->second.evaluated(named, v.size) * printed_up);
     named[name.name()] = known[name] = v;
     return found;
   }
@@ -294,7 +291,7 @@ std::map<std::string, double> margins(const codegen::Quantity& q, const codegen:
   const auto seen = [&](const std::string& name, const Value& found, const Point& p) {
     const auto bound = bounds.find(name);
     if (found.off == 0 || bound == bounds.end()) return;
-    const double margin = evaluated(bound->second, p.named, found.size) / found.off;
+    const double margin = bound->second.evaluated(p.named, found.size) / found.off;
     double& least = r.insert({name, margin}).first->second;
     least = std::min(least, margin);
   };
@@ -319,8 +316,7 @@ std::map<std::string, double> margins(const codegen::Quantity& q, const codegen:
     }
   }
   for (const auto& [name, bound] : bounds)
-    if (!name.starts_with("STEP ") && bound != "0" && !bound.starts_with("0 "))
-      CHECK(r.count(name) == 1);
+    if (!name.starts_with("STEP ") && !bound.text.starts_with("0")) CHECK(r.count(name) == 1);
   return r;
 }
 /// What the paper's quantities lack: a sum of two values of one sign that are both off by a share,
@@ -334,29 +330,62 @@ codegen::Quantity sum_and_square() {
                kernel::define("checked_square", {alpha}, alpha * alpha)};
   return {"sum", "none", {{alpha, {0.01, 0.52}, {0.01, 0.52}}}, {c}};
 }
+/// The constants that a header's case has for the k-th type.
+std::multiset<std::string> constants_in(const std::string& header, const std::string& name,
+                                        std::size_t k, double unit) {
+  const std::regex lists("struct " + name + " \\{[^{}]*bounds[^{]*\\{([^{]*\\{){" +
+                         std::to_string(k + 1) + "}([^}]*)");
+  std::multiset<std::string> r;
+  std::smatch found;
+  if (!std::regex_search(header, found, lists)) return r;
+  std::istringstream numbers(found[2]);
+  for (std::string number; std::getline(numbers, number, ',');)
+    if (std::stod(number) > 0)  // other types have an error there
+      r.insert(codegen::as_power_of_2(std::stod(number) * unit));
+  return r;
+}
+std::multiset<std::string> constants_in(const Printed& bounds, bool is_tested) {
+  std::multiset<std::string> r;
+  for (const auto& [name, bound] : bounds) {
+    if (!name.starts_with("SIGN ") && !(is_tested && name.starts_with("OUTPUT "))) continue;
+    std::istringstream words(bound.text);
+    for (std::string word; words >> word;)
+      if (word.starts_with("2^")) r.insert(word);
+  }
+  return r;
+}
 }  // namespace
 
-TEST_CASE("the independent checker finds no printed bound too small, and sees each one halved") {
+TEST_CASE("printed bounds are the header's; none is too small, and each one halved is seen") {
   Ball::set_bits(520);
   std::vector<codegen::Quantity> all = generate::evaluators();
   all.push_back(sum_and_square());
-  std::vector<NumberType> types{{0x1p-180, nullptr}};  // what its bounds are printed for
+  std::vector<NumberType> types;
   for (const codegen::Tier& tier : codegen::tiers()) types.push_back({u, &tier});
+  types.push_back({0x1p-180, nullptr});  // what its bounds are printed for
+  std::size_t constants = 0;
   for (const codegen::Quantity& q : all) {
-    const std::string errors = codegen::emit_evaluator(q).errors;
+    const codegen::Emitted emitted = codegen::emit_evaluator(q);
     for (const codegen::Case& c : q.cases) {
-      for (const NumberType& type : types) {
-        const std::string heading =
-            codegen::capital(q.name) + codegen::capital(c.name) + ", " + type.name();
-        const Printed bounds = bounds_in(errors, heading);
+      for (std::size_t k = 0; k < types.size(); ++k) {
+        const NumberType& type = types[k];
+        const std::string name = codegen::capital(q.name) + codegen::capital(c.name);
+        const std::string heading = name + ", " + type.name();
+        const Printed bounds = bounds_in(emitted.errors, heading);
         REQUIRE_FALSE(bounds.empty());
-        for (const auto& [name, margin] : margins(q, c, type, bounds)) {
-          INFO(heading << ", " << name << ": printed over found: " << margin);
+        const auto printed = constants_in(bounds, q.is_tested);
+        const double unit = type.is_pair() ? 1 : type.u;
+        INFO(heading);
+        CHECK(constants_in(emitted.header, name, k, unit) == printed);
+        constants += printed.size();
+        for (const auto& [bound, margin] : margins(q, c, type, bounds)) {
+          INFO(bound << ": printed over found: " << margin);
           CHECK(margin >= 1 - 0x1p-40);  // its own roundings
           // Terms that are largest at other points are taken into these: a longer sum.
-          CHECK(margin < (q.name == "restitution" && name.starts_with("OUTPUT") ? 8 : 2));
+          CHECK(margin < (q.name == "restitution" && bound.starts_with("OUTPUT") ? 8 : 2));
         }
       }
     }
   }
+  CHECK(constants > 100);
 }

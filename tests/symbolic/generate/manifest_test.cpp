@@ -80,9 +80,11 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
     CHECK(headers.count(path) == 1);
   }
 }
-TEST_CASE("a form that there is none of is refused, as are definitions without outputs") {
+TEST_CASE("a form that there is none of is refused, as is one that there are two of") {
   CHECK_THROWS_WITH(generate::selected("open", {"a"}), ContainsSubstring("allowed: closed"));
   CHECK_THROWS_WITH(generate::selected("matrices", {"R"}), ContainsSubstring("no form matrices"));
+  const codegen::PlainForm& one = generate::inventory().all.at(1);
+  CHECK_THROWS_WITH(generate::texts({one, one}), ContainsSubstring("two files are called"));
 }
 TEST_CASE("an entry, a range or a list of theorems of another shape is refused") {
   const auto refuses = [](const std::string& entries, const std::string& why) {
