@@ -64,33 +64,23 @@ std::vector<Operation> operations(double l) {
        "((A * d1 - B * (d2 + d3 + d2 * d3)) * (1 + D) + k * D) / 2"}};
 }
 using Bounds = std::vector<std::pair<std::string, double>>;
-/// Of a script; nothing where all is proved, and hints are identities.
-std::string said_by_gappa(const std::string& steps, const std::string& expanded,
-                          const Bounds& bounds, const std::string& goal) {
+/// The least bound that Gappa proves: "|e| in [0, 3b-1 {1.5, 2^(0.58)}]"; hints are identities.
+double largest(const std::string& what, const std::string& steps, const std::string& expanded,
+               const Bounds& bounds) {
   std::ostringstream script;
   script << MAGICMASS_GAPPA " -Eprecision=200 2>&1 <<end\n" << steps << "\n{ ";
   for (int k = 1; k <= 8; ++k) script << "|d" << k << "| <= " << codegen::hex(u) << " /\\ ";
   for (const auto& [name, bound] : bounds)
     script << "|" << name << "| <= " << codegen::hex(bound) << " /\\ ";
-  script << "0 <= 1 -> " << goal << " }\ne -> " << expanded << ";\nend";
+  script << "0 <= 1 -> |" << what << "| in ? }\ne -> " << expanded << ";\nend";
   std::FILE* gappa = popen(script.str().c_str(), "r");
   REQUIRE(gappa != nullptr);
   std::string said;
   for (int c = std::fgetc(gappa); c != EOF; c = std::fgetc(gappa)) said += char(c);
   pclose(gappa);
-  return said;
-}
-bool is_proved(const Operation& o, double l, const std::string& what, double bound) {
-  return said_by_gappa(o.steps, o.expanded, {{"c", u}, {"x", l}, {"y", l}, {"q", 0x1.80001p-2}},
-                       "|" + what + "| <= " + codegen::hex(bound))
-      .empty();
-}
-/// The least bound that Gappa proves: "|e| in [0, 3b-1 {1.5, 2^(0.58)}]".
-double largest(const std::string& what, const std::string& steps, const std::string& expanded,
-               const Bounds& bounds) {
-  const std::string said = said_by_gappa(steps, expanded, bounds, "|" + what + "| in ?");
   INFO(steps << said);
   REQUIRE(said.find("Warning") == said.npos);
+  if (said.ends_with("[0, 0]\n")) return 0;
   const std::size_t number = said.find(", ") + 2, power = said.find('b', number) + 1;
   REQUIRE(power > number);
   const double bound = std::ldexp(std::stod(said.substr(number)), std::stoi(said.substr(power)));
@@ -169,15 +159,16 @@ TEST_CASE("Gappa proves what each operation loses and leaves, and not half of it
   for (const double l : {u, 16 * u}) {
     for (const Operation& o : operations(l)) {
       INFO(o.name << ", low parts " << l);
+      const Bounds parts{{"c", u}, {"x", l}, {"y", l}, {"q", 0x1.80001p-2}};
       for (const auto& [what, bound] : {std::pair("off", o.entry.loss), {"low", o.entry.loose}}) {
         INFO(what);
-        CHECK(is_proved(o, l, what, bound));
-        if (bound > 0) CHECK_FALSE(is_proved(o, l, what, bound / 2));
+        const double proved = largest(what, o.steps, o.expanded, parts);
+        CHECK(proved <= bound);
+        if (bound > 0) CHECK(proved > bound / 2);
       }
     }
   }
 }
-
 TEST_CASE("Gappa proves what polynomials lose and leave, step by step") {
   for (const codegen::Tier& tier : codegen::tiers()) {
     const NumberType t{u, &tier};
