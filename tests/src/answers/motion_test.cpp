@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Answers from theorems against the oracle and exact steps, which know the collision law alone.
+// Minimal polynomials: their roots by doubles next to them, and their degree, that of the field,
+// so that they have no factor.
 #include "answers/motion.hpp"
 
+#include <cmath>
+#include <numeric>
 #include <random>
 
 #include "answers/commands.hpp"
+#include "answers/derivation.hpp"
+#include "answers/errors.hpp"
 #include "catch.hpp"
 #include "kernel/expr.hpp"
 #include "law_of_collision.hpp"
+#include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/oracle/certain.hpp"
 
@@ -31,6 +38,20 @@ Row asked(const std::string& alpha, const std::string& e, const std::string& tie
   Request request;
   request.options = {{"alpha", alpha}, {"restitution", e}, {"tier", tier}};
   return answers::terminal(request).table.rows[0];
+}
+cl_RA value(const Polynomial& p, double x) {
+  cl_RA sum = 0;
+  for (std::size_t i = p.size(); i-- > 0;) sum = sum * balls::exact(x) + p[i];
+  return sum;
+}
+bool changes_sign(const Polynomial& p, double x) {
+  const cl_RA at = value(p, x);
+  return value(p, std::nextafter(x, 0)) * at <= 0 || at * value(p, std::nextafter(x, 2)) <= 0;
+}
+int coprime_to(int m) {
+  int count = 0;
+  for (int i = 1; i <= m; ++i) count += std::gcd(i, m) == 1 ? 1 : 0;
+  return count;
 }
 }  // namespace
 
@@ -127,4 +148,27 @@ TEST_CASE("any masses, a wall, many collisions: the evaluator says what scenes s
                  Catch::Matchers::WithinRel(cln::double_approx(velocities[i].low()), 1e-13));
   }
   CHECK(ended > 150);
+}
+TEST_CASE("each ratio is a root of its polynomial, and no other one is") {
+  for (int k = 1; k <= 200; ++k) {
+    for (const bool is_magic : {true, false}) {
+      CAPTURE(k, is_magic);
+      const Polynomial p = polynomial_of_ratio(k, is_magic);
+      const magicmass::Ratios here = magicmass::accurate::ratios(k);
+      const magicmass::Ratios next = magicmass::accurate::ratios(k + 1);
+      CHECK(changes_sign(p, is_magic ? here.magic : here.deficient));
+      CHECK_FALSE(changes_sign(p, is_magic ? here.deficient : here.magic));
+      CHECK_FALSE(changes_sign(p, is_magic ? next.magic : next.deficient));
+      CHECK(2 * (p.size() - 1) == std::size_t(coprime_to(is_magic ? 4 * k + 2 : 4 * k + 4)));
+    }
+  }
+}
+TEST_CASE("a proof that fails is counted, and said beside the counts") {
+  const kernel::Theorems shown{kernel::assume(kernel::eq(1, 1))};
+  const Answer answer = verified(shown, "no proof of a = b");
+  CHECK(answer.check_failed);
+  CHECK(answer.note == "verify: not proved: no proof of a = b");
+  const Row& row = answer.table.rows.at(0);
+  CHECK((row[0].text == "1" && row[1].text == "1" && row[2].text == "1"));
+  CHECK_FALSE(verified(shown, "").check_failed);
 }

@@ -333,8 +333,8 @@ codegen::Quantity sum_and_square() {
 /// The constants that a header's case has for the k-th type.
 std::multiset<std::string> constants_in(const std::string& header, const std::string& name,
                                         std::size_t k, double unit) {
-  const std::regex lists("struct " + name + " \\{[^{}]*bounds[^{]*\\{([^{]*\\{){" +
-                         std::to_string(k + 1) + "}([^}]*)");
+  const std::regex lists("struct " + name + " \\{[^{}]*bounds[^{]*\\{([^{;]*\\{){" +
+                         std::to_string(k + 1) + "}([^};]*)");
   std::multiset<std::string> r;
   std::smatch found;
   if (!std::regex_search(header, found, lists)) return r;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers from the law of one collision alone: a body is reflected at the velocity of the common
 // centre of mass. Nothing here is read from the book.
+#include "motion.hpp"
+
+#include <map>
 
 #include <cln/complex.h>
 #include <cln/float.h>
+#include <cln/integer.h>
 
 #include "law_of_collision.hpp"
-#include "net.hpp"
 
 namespace net {
 namespace {

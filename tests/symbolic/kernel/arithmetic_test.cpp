@@ -3,7 +3,6 @@
 #include "attack.hpp"
 
 using namespace kernel;
-using namespace attacked;
 
 namespace {
 const Theorem not_0 = assume(neq(x, 0)), at_least_0 = assume(le(0, x));

@@ -8,7 +8,6 @@
 #include "kernel/theorem.hpp"
 
 // What most attacks are about.
-namespace attacked {
 inline const kernel::Expr x = kernel::real("x"), y = kernel::real("y");
 inline const kernel::Expr i = kernel::integer("i"), n = kernel::integer("n");
 inline const kernel::Expr half = kernel::Expr(1) / 2;
@@ -21,7 +20,6 @@ inline kernel::Expr doubled(int times) {
   for (int k = 0; k < times; ++k) e = sin(e + e);
   return e;
 }
-}  // namespace attacked
 
 template <class Act>
 void refused(const std::string& name, const std::string& because, const Act& act) {

@@ -4,7 +4,6 @@
 #include "attack.hpp"
 
 using namespace kernel;
-using namespace attacked;
 
 namespace {
 std::vector<std::string> words(const Exprs& conditions) {

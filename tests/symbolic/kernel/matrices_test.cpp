@@ -4,7 +4,6 @@
 #include "kernel/polynomial.hpp"
 
 using namespace kernel;
-using namespace attacked;
 
 namespace {
 const Expr a = matrix(2, {1, x, y, 2}), b = matrix(2, {3, 4, 5, x});

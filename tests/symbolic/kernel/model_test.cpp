@@ -7,7 +7,6 @@
 #include "kernel/polynomial.hpp"
 
 using namespace kernel;
-using namespace attacked;
 
 namespace {
 using Values = std::map<Expr, cln::cl_RA>;

@@ -5,7 +5,6 @@
 #include "attack.hpp"
 
 using namespace kernel;
-using namespace attacked;
 
 static_assert(!std::is_default_constructible_v<Theorem>);
 static_assert(!std::is_constructible_v<Theorem, Exprs, Expr, Step>);

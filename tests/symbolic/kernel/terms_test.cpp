@@ -6,7 +6,6 @@
 #include "kernel/polynomial.hpp"
 
 using namespace kernel;
-using namespace attacked;
 
 template <class T>
 concept makes_expr = requires(T t) {
