@@ -25,10 +25,11 @@ std::string refused(const std::string& typed) {
 
 TEST_CASE("Plain text, Unicode and LaTeX are read alike, and a chosen reading is said") {
   const auto rows = rows_of("symbolic/notation/readings.tsv", 3);
-  REQUIRE(rows.size() > 45);
+  REQUIRE(rows.size() > 55);
   for (const auto& row : rows) {
     INFO(row[0]);
     CHECK(reading(row[0]) == row[1]);
+    if (row[1].find(';') == std::string::npos) CHECK(reading(row[1]) == row[1]);
     std::string said;
     for (const std::string& note : read_typed(row[0]).notes)
       said += (said.empty() ? "" : "; ") + note;
@@ -59,16 +60,6 @@ TEST_CASE("Names that are known are read in what is written without blanks") {
   CHECK(apart.notes == std::vector<std::string>{"M_2u_2 is read as M_2 u_2"});
   CHECK(read_typed("cos(n*psi)*V_CM*Gamma*xy", {"xy"}).notes.empty());
   CHECK(alike("M", {"m"}).empty());
-}
-
-TEST_CASE("What is shown of a term is read back as the same term") {
-  for (const std::string typed :
-       {"a - (b - c)*2", "-(x + y)/z^2", "x^(n + 1)*abs(x)", "1/(2*x)", "(x + 1)^3/(y - 1)^2",
-        "sqrt(2)/(1 + exp(-x))", "(-1)^n", "-x^2", "(1/2)^n", "log(x)/log(2)",
-        "2*(x^y)^2/x^(y/2)/(x^y^z)^3*c_n'", "500000*x^y"}) {
-    const std::string shown = reading(typed);
-    CHECK(reading(shown) == shown);
-  }
 }
 
 TEST_CASE("A column may have commas, in brackets, where one is asked for") {
