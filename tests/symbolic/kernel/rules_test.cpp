@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Attacks on the rules of logic, on induction and on definitions, with a small motion of its own.
+// Attacks on the rules of logic, on induction, definitions and domains, with a small motion of its
+// own.
 #include <algorithm>
 
 #include "attack.hpp"
+#include "kernel/defined.hpp"
 
 using namespace kernel;
 
@@ -31,6 +33,13 @@ const Theorem laws = discharge(lt(0, M_1), assume(contact.conclusion().arg(1)));
 const Theorems motion = define_recursive({"w"}, {x}, n, {y}, {x}, {y / 2 + 1});
 Expr w(Expr at) { return fun("w", {x, at}); }
 const Theorem last = define_least("N", {x}, n, 2, lt(w(n), 1));
+// What a formula needs to make sense.
+using Words = std::vector<std::string>;
+Words words(const Exprs& conditions) {
+  Words out;
+  for (Expr e : conditions) out.push_back(text(e));
+  return out;
+}
 }  // namespace
 
 TEST_CASE("laws are hypotheses: no instance loses them") {
@@ -236,4 +245,51 @@ TEST_CASE("each theorem keeps its step") {
   CHECK(instantiate(zero, {{x, 1}}).step().substitution.at(x) == Expr(1));
   CHECK(axiom("circle").step().rule == "axiom circle");
   for (const std::string& name : axiom_names()) CHECK(axiom(name).hypotheses().empty());
+}
+
+TEST_CASE("each division and root asks for its condition, under what is said before it") {
+  real("any1");
+  for (const auto& [formula, conditions] : std::vector<std::pair<Expr, Words>>{
+           {eq(x, y), {}},
+           {eq(1 / x, 1), {"x != 0"}},
+           {eq(sqrt(1 / x), 1 / x), {"x != 0", "0 <= 1/x"}},
+           {imp(lt(0, x), eq(1 / x, y)), {"0 < x implies x != 0"}},
+           {imp(eq(1 / x, y), lt(0, x)), {"x != 0"}},
+           {logic_and({lt(0, x), eq(1 / x, y)}), {"0 < x implies x != 0"}},
+           {logic_or({eq(x, 0), eq(1 / x, y)}), {"x != 0"}},
+           {logic_not(eq(1 / x, y)), {"x != 0"}},
+           {imp(lt(0, real("any1")), all(x, imp(lt(x, 0), all(y, eq(1 / y, 1 / x))))),
+            {"0 < any1 and any2 < 0 implies any3 != 0", "0 < any1 and any2 < 0 implies any2 != 0"}},
+           {all(n, eq(1 / n, 0)), {"any_integer1 != 0"}},
+           {eq(det(matrix(1, {1 / x})), 0), {"x != 0"}},
+           {eq(det(power(matrix(1, {x}), n)), 1), {"0 <= n"}}}) {
+    INFO(text(formula));
+    CHECK(words(needs(formula)) == conditions);
+  }
+}
+
+TEST_CASE("hypotheses are read, too, and predicates are unfolded") {
+  define("inverse_of", {x, y}, eq(y, 1 / x));
+  define("power_of", {x}, x + 1);
+  restrict_domain("power_of", {y}, lt(0, y));
+  CHECK(words(needs(assume(eq(1 / x, y)))) == Words{"x != 0", "1/x = y implies x != 0"});
+  CHECK(words(needs(fun("inverse_of", {x + 1, 2}))) == Words{"x + 1 != 0"});
+  CHECK(words(needs(eq(fun("power_of", {x / y}), 0))) == Words{"y != 0", "0 < x/y"});
+}
+
+TEST_CASE("a domain is a condition on the function's own parameters") {
+  define("somewhere", {x, n}, x);
+  const auto domain = [](const Exprs& params, Expr condition) {
+    return [=] { restrict_domain("somewhere", params, condition); };
+  };
+  refused("of nothing", "no function", [] { restrict_domain("nowhere", {}, eq(0, 0)); });
+  refused("one parameter", "number of arguments", domain({x}, lt(0, x)));
+  refused("one twice", "twice", domain({n, n}, lt(0, n)));
+  refused("of another sort", "of its sort", domain({x, y}, lt(0, x)));
+  refused("a term for a parameter", "of its sort", domain({x, n + 1}, lt(0, x)));
+  refused("a number", "must be a formula", domain({x, n}, x));
+  refused("a free variable", "no parameter", domain({x, n}, lt(y, x)));
+  refused("of inv again", "a domain already", [] { restrict_domain("inv", {x}, lt(0, x)); });
+  refused("of 2^20 nodes", "more than 200000 nodes", [] { needs(eq(doubled(20), 0)); });
+  refused("of a number", "only a formula", [] { needs(x); });
 }
