@@ -85,11 +85,8 @@ cl_R threshold(bool of_A, int k) {
 /// Chebyshev's U_j by its sum of powers.
 cl_R chebyshev(const cl_R& x, int j) {
   cl_R sum = 0;
-  for (int k = 0; 2 * k <= j; ++k) {
-    cl_R term = cln::expt(exact(2 * x), j - 2 * k) * (k % 2 == 0 ? 1 : -1);
-    for (int i = 0; i < k; ++i) term = term * (j - k - i) / (i + 1);
-    sum = sum + term;
-  }
+  for (int k = 0; 2 * k <= j; ++k)
+    sum = sum + (k % 2 == 0 ? 1 : -1) * binomial(j - k, k) * cln::expt(exact(2 * x), j - 2 * k);
   return sum;
 }
 /// The columns of a collision or of a whole cycle, of velocities by the roots of the masses.
@@ -147,6 +144,11 @@ int whole(const cl_R& x) {
   return cln::cl_I_to_int(cln::round1(x));
 }
 
+cl_R binomial(const cl_R& n, int k) {
+  cl_R out = exact(1);
+  for (int i = 0; i < k; ++i) out = out * (n - i) / (i + 1);
+  return out;
+}
 Matrix matrix_function(const std::string& f, const Vector& x) {
   if (f == "Gamma_A") return collisions(1, x[0], true, false);
   if (f == "Gamma_B") return collisions(1, x[0], false, true);

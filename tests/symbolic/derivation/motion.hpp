@@ -17,6 +17,7 @@ cl_R exact(const cl_R& x);
 cl_R circle();
 const cl_R& tiny();        ///< what is smaller than this is 0
 int whole(const cl_R& x);  ///< x where it is an integer, else Undefined
+cl_R binomial(const cl_R& n, int k);
 /// What a function is worth at numbers. Everything about the motion comes from motion.cpp.
 cl_R function(const std::string& name, const std::vector<cl_R>& x);
 Matrix matrix_function(const std::string& name, const std::vector<cl_R>& x);

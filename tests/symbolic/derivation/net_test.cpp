@@ -35,11 +35,6 @@ Expr defined(Expr e) {
       }
   return {};
 }
-cl_R binomial(const cl_R& n, int k) {
-  cl_R out = exact(1);
-  for (int i = 0; i < k; ++i) out = out * (n - i) / (i + 1);
-  return out;
-}
 cl_R of_function(Expr e, const std::vector<cl_R>& x) {
   const std::string f = e.name();
   const auto rounded_up = [](const cl_R& y) {
