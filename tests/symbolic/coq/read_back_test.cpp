@@ -12,145 +12,134 @@
 using namespace kernel;
 
 namespace {
-/// Reads a statement: all but the outermost part stands in brackets.
-class Reader {
-public:
-  explicit Reader(const std::string& statement) {
-    const std::regex token(R"([\w']+|->|<->|<=|/\\|\\/|[^\s])");
-    for (std::sregex_iterator it(statement.begin(), statement.end(), token), end; it != end; ++it)
-      tokens.push_back(it->str());
-    tokens.push_back("");
-  }
-  struct Statement {
-    Exprs hypotheses;
-    Expr conclusion;
-    bool has_sorts;  ///< the integer variables, and no others, are said to be integers
-  };
-  Statement statement() {
-    if (takes("forall")) {
-      while (next() != ",") {
-      }
-    }
-    Exprs parts;
-    std::set<Expr> integers;
-    do {
-      if (takes("isint"))
-        integers.insert(part());
-      else
-        parts.push_back(part());
-    } while (takes("->"));
-    REQUIRE(peek() == "");
-    std::set<Expr> expected;
-    for (Expr v : free_variables(logic_and(parts)))
-      if (v.sort() == Sort::Int) expected.insert(v);
-    const Expr conclusion = parts.back();
-    parts.pop_back();
-    return {parts, conclusion, integers == expected};
-  }
+/// A word, or what stands in brackets.
+struct Part {
+  std::string word;
+  std::vector<Part> parts = {};
 
-private:
-  const std::string& peek() const { return tokens[at]; }
-  std::string next() { return tokens[at++]; }
-  bool takes(const std::string& token) {
-    const bool here = peek() == token;
-    if (here) ++at;
-    return here;
-  }
-  bool is_number() const { return std::isdigit(static_cast<unsigned char>(peek()[0])) != 0; }
-  cln::cl_RA number() { return cln::cl_I(next().c_str()); }
-  int small() { return std::stoi(next()); }
-  Expr closed(Expr e) {
-    REQUIRE(next() == ")");
-    return e;
-  }
-  /// The file does not say it: columns are 1 unless the matrix is square.
-  static int columns_of(std::size_t entries) {
-    const int n = int(std::sqrt(double(entries)));
-    return std::size_t(n) * std::size_t(n) == entries ? n : 1;
-  }
-  Expr part() {
-    if (takes("(")) return closed(inside());
-    if (takes("[")) {
-      Exprs entries{part()};
-      while (takes(";")) entries.push_back(part());
-      next();
-      return matrix(columns_of(entries.size()), entries);
-    }
-    if (is_number()) return Expr(number());
-    return named(next(), {});
-  }
-  Expr inside() {
-    if (takes("~")) return logic_not(part());
-    if (takes("/")) return fun("inv", {part()});
-    if (takes("forall")) return quantified();
-    if (takes("-")) return rational(-number());
-    if (is_number() && tokens[at + 1] == "/") return rational(number());
-    if (peek() != "(" && peek() != "[" && !is_number() && is_application()) return application();
-    const Expr first = part();
-    const std::string op = next();
-    if (op == "^") return power(first, small());
-    Exprs all{first, part()};
-    while (takes(op)) all.push_back(part());
-    static const std::map<std::string, Op> operations = {
-        {"+", Op::Add},  {"*", Op::Mul},   {"=", Op::Eq},   {"<", Op::Lt},   {"<=", Op::Le},
-        {"->", Op::Imp}, {"/\\", Op::And}, {"\\/", Op::Or}, {"<->", Op::Iff}};
-    return make({.op = operations.at(op), .args = all});
-  }
-  Expr rational(const cln::cl_RA& above) {
-    return takes("/") ? Expr(above / number()) : Expr(above);
-  }
-  /// How many sizes stand before the matrix.
-  inline static const std::map<std::string, std::size_t> of_matrices = {
-      {"mtimes", 3}, {"mtranspose", 2}, {"mpow", 1}, {"entry", 0}, {"det", 1}};
-  bool is_application() const {
-    const Signature* s = signature(kernel_name(peek()));
-    return of_matrices.count(peek()) != 0 || (s != nullptr && !s->args.empty());
-  }
-  Expr application() {
-    const std::string head = next();
-    if (const auto shape = of_matrices.find(head); shape != of_matrices.end()) {
-      at += shape->second;
-      const Expr of = part();
-      if (head == "det") return det(of);
-      if (head == "mtranspose") return transpose(of);
-      if (head == "mtimes") return times(of, part());
-      if (head == "entry") return make({.op = Op::Entry, .args = {of}, .index = small()});
-      at += 2;  // (toN
-      return closed(power(of, part()));
-    }
-    Exprs args;
-    while (peek() != ")") args.push_back(part());
-    return named(head, args);
-  }
-  Expr quantified() {
-    const std::string v = next();
-    at += 3;  // : R,
-    const bool is_integer = takes("isint");
-    if (is_integer) at += 2;  // its name ->
-    bound[v] = is_integer ? Sort::Int : Sort::Real;
-    ++depth;
-    const Expr body = part();
-    --depth;
-    return make({.op = Op::All, .args = {body}, .name = v, .variable = bound[v]});
-  }
-  static std::string kernel_name(const std::string& word) {
-    if (word == "PI") return "pi";
-    return word.size() > 2 && word.ends_with("'k") ? word.substr(0, word.size() - 2) : word;
-  }
-  Expr named(const std::string& word, const Exprs& args) {
-    if (word.starts_with("q'"))
-      return make({.op = Op::Bound,
-                   .index = depth - 1 - std::stoi(word.substr(2)),
-                   .variable = bound.at(word)});
-    const Expr variable = known_variable(kernel_name(word));
-    return variable ? variable : fun(kernel_name(word), args);
-  }
-
-  std::vector<std::string> tokens = {};
-  std::size_t at = 0;
-  std::map<std::string, Sort> bound = {};
-  int depth = 0;
+  bool is_number() const { return std::isdigit(static_cast<unsigned char>(word[0])) != 0; }
+  cln::cl_RA number() const { return cln::cl_I(word.c_str()); }
 };
+using Parts = std::vector<Part>;
+/// To the bracket that closes.
+Parts inside(std::sregex_iterator& it) {
+  Parts out;
+  while (true) {
+    REQUIRE(it != std::sregex_iterator());
+    const std::string word = (it++)->str();
+    if (word == ")" || word == "]") return out;
+    out.push_back({word});
+    if (word == "(" || word == "[") out.back().parts = inside(it);
+  }
+}
+std::map<std::string, Sort> bound;  // by their names
+int depth = 0;
+Expr of(const Part& p);
+Exprs every_other(const Parts& parts, const std::string& between) {
+  Exprs out;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (k % 2 == 0)
+      out.push_back(of(parts[k]));
+    else
+      REQUIRE(parts[k].word == between);
+  }
+  return out;
+}
+/// A number, perhaps over another one.
+cln::cl_RA ratio(const Parts& s, std::size_t k) {
+  if (s.size() == k + 1) return s[k].number();
+  REQUIRE((s.size() == k + 3 && s[k + 1].word == "/"));
+  return s[k].number() / s[k + 2].number();
+}
+Expr quantified(const Parts& s) {  // forall v : R, isint v -> (...)
+  const std::string v = s.at(1).word;
+  const bool is_integer = s.at(5).word == "isint";
+  REQUIRE(s.size() == (is_integer ? 9 : 6));
+  bound[v] = is_integer ? Sort::Int : Sort::Real;
+  ++depth;
+  const Expr body = of(s.back());
+  --depth;
+  return make({.op = Op::All, .args = {body}, .name = v, .variable = bound[v]});
+}
+Expr named(const std::string& word, const Exprs& args) {
+  if (word.starts_with("q'"))
+    return make({.op = Op::Bound,
+                 .index = depth - 1 - std::stoi(word.substr(2)),
+                 .variable = bound.at(word)});
+  const std::string name = word == "PI" ? "pi"
+                           : word.size() > 2 && word.ends_with("'k")
+                               ? word.substr(0, word.size() - 2)
+                               : word;
+  const Expr variable = known_variable(name);
+  return variable && args.empty() ? variable : fun(name, args);
+}
+Expr of(const Part& p) {
+  const Parts& s = p.parts;
+  if (p.word == "[") {  // the file does not say it: columns are 1 unless the matrix is square
+    const Exprs entries = every_other(s, ";");
+    const int n = int(std::sqrt(double(entries.size())));
+    return matrix(n * n == int(entries.size()) ? n : 1, entries);
+  }
+  if (p.word != "(") return p.is_number() ? Expr(p.number()) : named(p.word, {});
+  const std::string head = s.at(0).word, second = s.at(1).word;
+  // Before the arguments of matrices stand sizes.
+  static const std::map<std::string, std::size_t> sizes = {
+      {"~", 2}, {"/", 2}, {"mtimes", 6}, {"mtranspose", 4}, {"mpow", 4}, {"entry", 3}, {"det", 3}};
+  if (const auto size = sizes.find(head); size != sizes.end()) REQUIRE(s.size() == size->second);
+  if (head == "~") return logic_not(of(s[1]));
+  if (head == "/") return fun("inv", {of(s[1])});
+  if (head == "mtimes") return times(of(s[4]), of(s[5]));
+  if (head == "mtranspose") return transpose(of(s[3]));
+  if (head == "mpow") return power(of(s[2]), of(s[3].parts.at(1)));  // (toN n)
+  if (head == "entry")
+    return make({.op = Op::Entry, .args = {of(s[1])}, .index = std::stoi(s[2].word)});
+  if (head == "det") return det(of(s[2]));
+  if (head == "forall") return quantified(s);
+  if (head == "-") return Expr(-ratio(s, 1));
+  if (second == "/") return Expr(ratio(s, 0));
+  if (second == "^" && s.size() == 3) return power(of(s[0]), std::stoi(s[2].word));
+  static const std::map<std::string, Op> operations = {
+      {"+", Op::Add},  {"*", Op::Mul},   {"=", Op::Eq},   {"<", Op::Lt},   {"<=", Op::Le},
+      {"->", Op::Imp}, {"/\\", Op::And}, {"\\/", Op::Or}, {"<->", Op::Iff}};
+  if (const auto op = operations.find(second); op != operations.end())
+    return make({.op = op->second, .args = every_other(s, second)});
+  Exprs args;
+  for (std::size_t k = 1; k < s.size(); ++k) args.push_back(of(s[k]));
+  return named(head, args);
+}
+struct Statement {
+  Exprs hypotheses;
+  Expr conclusion;
+  bool has_sorts;  ///< the integer variables, and no others, are said to be integers
+};
+/// All but the outermost part of it stands in brackets.
+Statement read(const std::string& text) {
+  const std::string closed = text + " )";
+  const std::regex token(R"([\w']+|->|<->|<=|/\\|\\/|[^\s])");
+  std::sregex_iterator it(closed.begin(), closed.end(), token);
+  const Parts all = inside(it);
+  REQUIRE(it == std::sregex_iterator());
+  auto at = all.begin();
+  if (at->word == "forall")
+    while (at++->word != ",") {
+    }
+  Exprs parts;
+  std::set<Expr> integers;
+  for (; at != all.end(); ++at) {
+    if (at->word == "isint")
+      integers.insert(of(*++at));
+    else
+      parts.push_back(of(*at));
+    if (++at == all.end()) break;
+    REQUIRE(at->word == "->");
+  }
+  std::set<Expr> expected;
+  for (Expr v : free_variables(logic_and(parts)))
+    if (v.sort() == Sort::Int) expected.insert(v);
+  const Expr conclusion = parts.back();
+  parts.pop_back();
+  return {parts, conclusion, integers == expected};
+}
 
 std::vector<coq::Chapter> chapters() {
   std::vector<coq::Chapter> out;
@@ -172,7 +161,7 @@ TEST_CASE("each shown theorem is read back from its file as the kernel's terms")
       const std::size_t title = text.find("(* " + id + " *)");
       const std::size_t begin = text.find(" : ", title) + 3;
       const auto [hypotheses, conclusion, has_sorts] =
-          Reader(text.substr(begin, text.find(".\nProof", begin) - begin)).statement();
+          read(text.substr(begin, text.find(".\nProof", begin) - begin));
       CHECK((hypotheses == theorem.hypotheses()));
       CHECK((conclusion == theorem.conclusion()));
       CHECK(has_sorts);
@@ -184,8 +173,8 @@ TEST_CASE("each shown theorem is read back from its file as the kernel's terms")
 TEST_CASE("a weaker statement is read as another one") {
   const Expr x = real("x"), n = integer("n");
   const auto is = [](const std::string& statement, const Exprs& hypotheses, Expr conclusion) {
-    const auto read = Reader(statement).statement();
-    return read.hypotheses == hypotheses && read.conclusion == conclusion && read.has_sorts;
+    const Statement found = read(statement);
+    return found.hypotheses == hypotheses && found.conclusion == conclusion && found.has_sorts;
   };
   const Expr positive = lt(0, x + n);
   CHECK(is("forall n x : R, isint n -> (0 < x) -> (0 < (x + n))", {lt(0, x)}, positive));
