@@ -61,13 +61,8 @@ struct Fifo {
 };
 }  // namespace
 
-TEST_CASE("A program is judged by what its function returns, not by what it prints") {
-  CHECK(judged("double f(double x) { std::puts(\"0x1p+0\"); return 2 * x; }").feedback ==
-        "Right, in all cases.");
-  CHECK(is_empty());
-}
-
-TEST_CASE("An attack ends with a line that says why, and leaves nothing behind") {
+TEST_CASE(
+    "A program is judged by what its function returns, an attack ends; nothing is left behind") {
   auto rows = rows_of("src/classroom/attacks.tsv", 2);
   rows.push_back({"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"});
   for (learn::Texts& row : rows) {
@@ -76,8 +71,9 @@ TEST_CASE("An attack ends with a line that says why, and leaves nothing behind")
     learn::replace_all(code, "\\n", "\n");
     if (code.starts_with('{')) code = "double f(double x) { " + code + " return 2 * x; }";
     const learn::Judgement said = judged(code);
-    CHECK(said.mark ==
-          (said.feedback.starts_with("Not compiled: ") ? learn::Mark::unread : learn::Mark::wrong));
+    CHECK(said.mark == (said.feedback.starts_with("Not compiled: ") ? learn::Mark::unread
+                        : said.feedback == "Right, in all cases."   ? learn::Mark::right
+                                                                    : learn::Mark::wrong));
     CHECK_THAT(said.feedback, ContainsSubstring(row[1]));
     CHECK(said.feedback.find('\n') == std::string::npos);
     CHECK(said.feedback.find("magicmass-") == std::string::npos);
