@@ -64,11 +64,6 @@ struct Traced {
   }
 };
 cln::cl_RA exact(const Traced& x) { return codegen::exact(x.value); }
-Traced operator-(const Traced& x) {
-  Traced r(-x.value);
-  r.add(x, -1);
-  return r;
-}
 Traced fused(const Traced& x, const Traced& y, const Traced& z) {
   Traced r(std::fma(x.value, y.value, z.value));
   r.add(x, y.value);
@@ -77,6 +72,7 @@ Traced fused(const Traced& x, const Traced& y, const Traced& z) {
   return r.rounded_from(exact(x) * exact(y) + exact(z));
 }
 Traced operator*(const Traced& x, const Traced& y) { return fused(x, y, 0); }
+Traced operator-(const Traced& x) { return fused(x, -1, 0); }
 Traced operator+(const Traced& x, const Traced& y) { return fused(x, 1, y); }
 Traced operator-(const Traced& x, const Traced& y) { return fused(y, -1, x); }
 Traced operator/(const Traced& x, const Traced& y) {

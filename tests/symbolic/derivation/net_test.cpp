@@ -261,11 +261,9 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
   }
   return point;
 }
-/// How many points satisfy the hypotheses, and the first of them at which the conclusion is false or
-/// has no value; or empty.
 struct Tried {
-  int points = 0;
-  std::string false_at;
+  int points = 0;        // that satisfy the hypotheses
+  std::string false_at;  // the first at which the conclusion is false or has no value; or empty
 };
 Tried tried(const Exprs& hypotheses, Expr conclusion, int wanted) {
   Tried out;
