@@ -4,15 +4,12 @@
 // so that they have no factor.
 #include "answers/motion.hpp"
 
-#include <cmath>
 #include <numeric>
 #include <random>
 
 #include "answers/commands.hpp"
 #include "answers/derivation.hpp"
-#include "answers/errors.hpp"
 #include "catch.hpp"
-#include "kernel/expr.hpp"
 #include "law_of_collision.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"

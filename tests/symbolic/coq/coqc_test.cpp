@@ -2,7 +2,6 @@
 // coqc accepts what is emitted for each rule, each kind of definition and each axiom, and nothing
 // that was spoiled.
 #include <cstdlib>
-#include <fstream>
 #include <regex>
 
 #include "catch.hpp"

@@ -3,7 +3,6 @@
 // the paper's labels.
 #include <algorithm>
 #include <random>
-#include <sstream>
 
 #include <cln/complex.h>
 #include <cln/float.h>
@@ -11,7 +10,7 @@
 #include "catch.hpp"
 #include "derivation/book.hpp"
 #include "motion.hpp"
-#include "notation/read.hpp"
+#include "notation/typed.hpp"
 #include "rows.hpp"
 
 namespace {

@@ -2,7 +2,6 @@
 // Rooms that see the kernel hold no words by which C++ could make a theorem past its rules.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <regex>

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "attack.hpp"
-#include "kernel/defined.hpp"
 
 using namespace kernel;
 

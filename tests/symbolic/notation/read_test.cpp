@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the kernel prints is read back as the same tree; how what people type is read; what is
 // refused by each reader.
-#include "notation/read.hpp"
-
 #include <functional>
 #include <random>
 

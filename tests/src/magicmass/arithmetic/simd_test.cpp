@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Simd and the few functions under it that work on bits; the rounding test and the tests of signs
 // and ranges, at their edges from both sides.
-#include "magicmass/arithmetic/simd.hpp"
 
 #include <cmath>
 #include <limits>
