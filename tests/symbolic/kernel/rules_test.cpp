@@ -282,12 +282,12 @@ TEST_CASE("a domain is a condition on the function's own parameters") {
     return [=] { restrict_domain("somewhere", params, condition); };
   };
   refused("of nothing", "no function", [] { restrict_domain("nowhere", {}, eq(0, 0)); });
-  refused("one parameter", "number of arguments", domain({x}, lt(0, x)));
+  refused("one parameter", "another number", domain({x}, lt(0, x)));
   refused("one twice", "twice", domain({n, n}, lt(0, n)));
-  refused("of another sort", "of its sort", domain({x, y}, lt(0, x)));
-  refused("a term for a parameter", "of its sort", domain({x, n + 1}, lt(0, x)));
+  refused("of another sort", "other sorts", domain({x, y}, lt(0, x)));
+  refused("a term for a parameter", "must be a variable", domain({x, n + 1}, lt(0, x)));
   refused("a number", "must be a formula", domain({x, n}, x));
-  refused("a free variable", "no parameter", domain({x, n}, lt(y, x)));
+  refused("a free variable", "not a parameter", domain({x, n}, lt(y, x)));
   refused("of inv again", "a domain already", [] { restrict_domain("inv", {x}, lt(0, x)); });
   refused("of 2^20 nodes", "more than 200000 nodes", [] { needs(eq(doubled(20), 0)); });
   refused("of a number", "only a formula", [] { needs(x); });

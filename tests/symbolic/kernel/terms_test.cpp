@@ -275,7 +275,7 @@ TEST_CASE("matrices stand only where they fit") {
   refused("an equation of matrices", "not a polynomial", by({.equations = {{1, turn}}}));
   refused("matrices as a divisor", "not a polynomial", by({.nonzero = {assume(neq(a, b))}}));
 
-  refused("a start that is a matrix", "must be a term", recursive({}, n, {x}, {a}, {x}));
+  refused("a start that is a matrix", "must be terms", recursive({}, n, {x}, {a}, {x}));
   refused("powers of a number", "a matrix is needed", [] { matrix_power(x, n); });
   CHECK(matrix(8, Exprs(8, x)).cols() == 8);
   CHECK(polynomial(det(matrix(6, Exprs(36, x)))).empty());
