@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Whether a normal form is 0, signs that are certain all over a domain, and what terms need to
-// have a value.
+// Whether a normal form is 0, and signs that are certain all over a domain.
 #include <algorithm>
 
 #include "equality/normal_form.hpp"
@@ -271,7 +270,6 @@ int Forms::sign_by_shift(const Sum& sum) {
   }
   return 0;
 }
-
 void Forms::assume(const Requirement& requirement) {
   const Sum sum = of(requirement.term);
   if (sum.empty()) return;
@@ -304,75 +302,5 @@ bool Forms::holds(const Requirement& requirement) {
   const Sum sum = of(requirement.term);
   if (requirement.kind == Need::NotZero) return is_positive(sum) || has_sign(sum, -1, true);
   return has_sign(sum, 1, requirement.kind == Need::Positive);
-}
-
-bool is_certain(const Requirement& requirement, const Domain& domain) {
-  return is_proved([&] { return Forms(domain).holds(requirement); });
-}
-
-std::vector<Requirement> requirements(Expr term, const Domain& domain) {
-  std::vector<Requirement> out;
-  std::set<Expr> seen;
-  const auto visit = [&](auto& self, Expr e) -> void {
-    if (!seen.insert(e).second) return;
-    for (Expr arg : e.args()) self(self, arg);
-    if (e.op() != Op::Fun || e.size() == 0) return;
-    const std::string name = e.name();
-    const Expr x = e.arg(0);
-    if (name == "inv") out.push_back({Need::NotZero, x});
-    if (name == "sqrt") out.push_back({Need::NotNegative, x});
-    if (name == "log") out.push_back({Need::Positive, x});
-    // Asked of the square: 1 - sqrt(x)^2 is simpler than 1 - sqrt(x).
-    if ((name == "asin" || name == "acos") &&
-        !is_certain({Need::NotNegative, Expr(1) - kernel::power(x, 2)}, domain))
-      for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
-    if (name == "root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
-    if (name != "raised") return;
-    if (is_proved([&] { return Forms(domain).of(x).empty(); }))
-      out.push_back({Need::Positive, e.arg(1)});
-    else if (!Forms(domain).is_integer(e.arg(1)))
-      out.push_back({Need::NotNegative, x});
-    else if (!is_certain({Need::Positive, e.arg(1)}, domain))
-      out.push_back({Need::NotZero, x});
-  };
-  visit(visit, term);
-  return out;
-}
-
-std::vector<Requirement> conditions(const Domain& domain) {
-  std::vector<Requirement> out;
-  for (const auto& [left, relation, right] : domain.further) {
-    const Need at_0 = relation.ends_with('=') ? Need::NotNegative : Need::Positive;
-    out.push_back({relation == "!=" ? Need::NotZero : at_0,
-                   relation[0] == '<' ? right - left : left - right});
-  }
-  return out;
-}
-
-Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
-  const auto narrow = [&](const Requirement& r, Expr x) {  // by start + rise x
-    Forms forms(domain);
-    Sum start = forms.of(r.term);
-    const cln::cl_RA rise = start[{{x, exponent(1)}}];
-    start = start - scaled(atom(x), rise);
-    const auto value = forms.real_expression(start);
-    if (rise == 0 || !value || !kernel::free_variables(*value).empty()) return false;
-    const auto exact = notation::rational_value(*value);
-    const cln::cl_RA there = -(exact ? *exact : enclosure(*value, 64).high()) / rise;
-    const cln::cl_I eighths = rise > 0 ? cln::floor1(8 * there) : cln::ceiling1(8 * there);
-    // A little more than it leaves, where that is not rational.
-    const End end{exact ? there : eighths / cln::cl_RA(8), r.kind == Need::NotNegative};
-    if (rise > 0)
-      domain.ranges[x].cut_below(end);
-    else
-      domain.ranges[x].cut_above(end);
-    return true;
-  };
-  for (const Requirement& r : needs) {
-    const std::set<Expr> symbols = kernel::free_variables(r.term);
-    if (r.kind != Need::NotZero && symbols.size() == 1)
-      is_proved([&] { return narrow(r, *symbols.begin()); });
-  }
-  return domain;
 }
 }  // namespace equality
