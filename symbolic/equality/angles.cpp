@@ -33,6 +33,7 @@ bool is_connected(const Domain& domain, const std::vector<Requirement>& needs,
   Domain box = narrowed(domain, needs);
   for (auto& [symbol, range] : box.ranges) {
     if (range.is_integer) return false;
+    if (range.is_point()) continue;
     if (range.low) range.low->is_inside = false;
     if (range.high) range.high->is_inside = false;
   }
@@ -63,7 +64,8 @@ bool leads_to_0(Expr e, const Domain& box) {
   for (const auto& [product, q] : forms.of(e)) {
     int degree = 0;
     for (const auto& [atom, power] : product) {
-      if (kernel::free_variables(atom).empty()) continue;
+      if (kernel::free_variables(forms.expression(Sum{{Product{{atom, power}}, 1}})).empty())
+        continue;
       const int k = box.ranges.contains(atom) ? whole_number(power).value_or(0) : 0;
       if (k <= 0) return false;
       degree += k;
@@ -89,6 +91,9 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
     const Domain box = only(domain, left - right);
     const std::vector<Requirement> needs = requirements(left - right, box);
     std::vector<Requirement> shape = conditions(domain);
+    std::erase_if(shape, [](const Requirement& r) {  // x != y leaves two sides
+      return r.kind == Requirement::Kind::NotZero;
+    });
     const auto fits = [&](auto rule) {
       return [rule, &box](const Requirement& r) {
         return is_proved([&] { return rule(r.term, box); });
