@@ -64,8 +64,7 @@ bool leads_to_0(Expr e, const Domain& box) {
   for (const auto& [product, q] : forms.of(e)) {
     int degree = 0;
     for (const auto& [atom, power] : product) {
-      if (kernel::free_variables(forms.expression(Sum{{Product{{atom, power}}, 1}})).empty())
-        continue;
+      if (kernel::free_variables(atom).empty() && number_of(power)) continue;
       const int k = box.ranges.contains(atom) ? whole_number(power).value_or(0) : 0;
       if (k <= 0) return false;
       degree += k;
@@ -91,12 +90,10 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
     const Domain box = only(domain, left - right);
     const std::vector<Requirement> needs = requirements(left - right, box);
     std::vector<Requirement> shape = conditions(domain);
-    std::erase_if(shape, [](const Requirement& r) {  // x != y leaves two sides
-      return r.kind == Requirement::Kind::NotZero;
-    });
     const auto fits = [&](auto rule) {
       return [rule, &box](const Requirement& r) {
-        return is_proved([&] { return rule(r.term, box); });
+        const bool has_two_sides = r.kind == Requirement::Kind::NotZero;
+        return !has_two_sides && is_proved([&] { return rule(r.term, box); });
       };
     };
     std::vector<Point> inside = common;
