@@ -2,7 +2,6 @@
 #include "answers/derivation.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "coq/files.hpp"
 #include "derivation/book.hpp"
@@ -98,11 +97,11 @@ std::vector<Section> asked_for(const Request& request) {
     throw InvalidInput("derive: no chapter, step or label " + shown_text(word) +
                        "; chapters: " + joined(chapters) + "; steps: derive --list");
   }
-  for (Section& section : std::views::reverse(sections)) {
-    for (const Step& step : std::views::reverse(section.steps))
-      if (request.has("from") && wanted.contains(step.id))
-        wanted.insert(step.premises.begin(), step.premises.end());
-    std::erase_if(section.steps, [&](const Step& step) { return !wanted.contains(step.id); });
+  for (auto section = sections.rbegin(); section != sections.rend(); ++section) {
+    for (auto step = section->steps.rbegin(); step != section->steps.rend(); ++step)
+      if (request.has("from") && wanted.contains(step->id))
+        wanted.insert(step->premises.begin(), step->premises.end());
+    std::erase_if(section->steps, [&](const Step& step) { return !wanted.contains(step.id); });
   }
   std::erase_if(sections, [](const Section& section) { return section.steps.empty(); });
   return sections;

@@ -121,11 +121,8 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   if (!is_matrix)
     e.header +=
         "template <class Number>\nstruct " + structure + " {\n  Number " + outputs + ";\n};\n";
-  const bool may_throw = branches.starts_with("  if (");
-  const std::string what = "/// " + q.name + of_paper + ": " + outputs + ". Domain: ";
-  const std::string domain = joined(domains, "; or ");
-  const bool is_long = may_throw && what.size() + domain.size() > 98;
-  e.header += what + (is_long ? "as the error at its end says" : domain) + ".\n";
+  e.header +=
+      "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
   if (!theorems.empty()) e.header += "/// Theorems: " + theorems + ".\n";
   e.header += "/// Operations: " + joined(counts, "; or ") + ".\n";
   if (!ceilings.empty())
@@ -139,7 +136,7 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   if (!functions.empty())
     e.header += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
   const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
-  if (may_throw)
+  if (branches.starts_with("  if ("))
     branches += "  throw std::domain_error(\"" + name + ": allowed: " + between +
                 joined(domains, "; or " + between) + "\");\n";
   e.header += branches + "}\n";
@@ -179,11 +176,11 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
             "functions; each operation is rounded as the type rounds. No error bound is derived: "
             "where terms cancel, the result has their absolute error, and few right digits where "
             "it is far below them. Outside of its domain a function throws std::domain_error.";
-  result.header = broken(
-      opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers + "",
-              includes) +
-      "\nnamespace magicmass::generated {\n" + result.header +
-      "}  // namespace magicmass::generated\n");
+  result.header =
+      broken(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
+                     includes) +
+             "\nnamespace magicmass::generated {\n" + result.header +
+             "}  // namespace magicmass::generated\n");
   return result;
 }
 }  // namespace codegen

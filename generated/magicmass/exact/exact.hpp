@@ -39,8 +39,8 @@ template <class Number>
 struct VelocitiesExact {
   Number a, b, c, c_prime;
 };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: as the
-///   error at its end says.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha > 0,
+///   n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904.
 /// Theorems: cycle.start_vector, cycle.c_start, power.V_CM, exact.b_before, exact.a, exact.b,
 ///   exact.c, exact.c_prime.
 /// Operations: none; or products: 6, quotients: 3, sums: 9, and those of the calls.
@@ -76,8 +76,8 @@ template <class Number>
 struct TerminalExact {
   Number a_t, b_t, c_t, rho;
 };
-/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain: as
-///   the error at its end says.
+/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain:
+///   alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904.
 /// Theorems: power.V_CM, exact.a_t, exact.b_t, terminal.definitions, evaluators_end.def_rho.
 /// Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1

@@ -17,8 +17,8 @@ template <class Number>
 struct VelocitiesClosed {
   Number a, b, c, c_prime;
 };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: as the
-///   error at its end says.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
+///   0x1p-300 to 0x1p+20, n from 0 to 1125899906842624.
 /// Theorems: rotation.psi, power.V_CM, power.a, power.b, power.c, power.c_prime.
 /// Operations: arctangents: 1, cosines: 3, products: 10, quotients: 7, roots: 1, sines: 3, sums: 8.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
@@ -51,7 +51,7 @@ struct TerminalClosed {
   Number N_A, N_B, a_t, b_t, c_t, rho;
 };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: as the error at its end says.
+///   Domain: alpha from 0x1p-40 to 0x1p+20.
 /// Theorems: rotation.psi, counting.N_A, counting.N_B, terminal.a, terminal.b,
 ///   terminal.definitions, evaluators_end.def_rho.
 /// Operations: arctangents: 1, ceilings: 2, cosines: 2, products: 7, quotients: 4, roots: 1, sums:

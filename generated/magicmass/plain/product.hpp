@@ -17,8 +17,8 @@ template <class Number>
 struct VelocitiesProduct {
   Number a, b, c, c_prime;
 };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: as the
-///   error at its end says.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
+///   0x1p-300 to 0x1p+300, n from 0 to 1125899906842624.
 /// Theorems: rotation.psi, power.V_CM, power.a_product, power.b_product, power.c_product,
 ///   power.c_prime_product.
 /// Operations: arctangents: 1, cosines: 2, products: 15, quotients: 5, roots: 1, sines: 3, sums: 5.

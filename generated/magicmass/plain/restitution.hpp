@@ -17,7 +17,9 @@ template <class Number>
 struct AngleRestitution {
   Number h_e;
 };
-/// angle: h_e. Domain: as the error at its end says.
+/// angle: h_e. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0.
 /// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.h_e.
 /// Operations: arctangents: 1, products: 3, quotients: 5, roots: 4, sums: 3.
 template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
@@ -45,7 +47,10 @@ template <class Number>
 struct CountRestitution {
   Number N_any;
 };
-/// count: N_any. Domain: as the error at its end says.
+/// count: N_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
+///   -0x1p+32 to 0x1p+32, step_sine between 0x1p-128 and 0x1p+1.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, wedge.kappa,
 ///   bodies.phase_e, bodies.N_any.
 /// Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sines: 1, sums:
@@ -92,7 +97,13 @@ template <class Number>
 struct AtRestitution {
   Number B_at, A_at, C_at;
 };
-/// at: B_at, A_at, C_at. Domain: as the error at its end says.
+/// at: B_at, A_at, C_at. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
+///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
+///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0
+///   to 0x1p+32, j from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j)
+///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and
+///   0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_now_side,
 ///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
 ///   bodies.before, bodies.after, bodies.B_at, bodies.A_at, bodies.C_at.
@@ -175,7 +186,12 @@ template <class Number>
 struct TimeRestitution {
   Number moment;
 };
-/// time: moment. Domain: as the error at its end says.
+/// time: moment. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
+///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to
+///   4611686018427387904, step_sine between 0x1p-128 and 0x1p+1, reach between 0x1p-128 and
+///   0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_last_sine,
 ///   bodies.def_now_sine, bodies.def_reach, bodies.moment.
 /// Operations: products: 9, quotients: 5, roots: 3, sines: 3, sums: 5.
@@ -226,7 +242,10 @@ template <class Number>
 struct CollapseRestitution {
   Number end_speed, t_any, x_any, v_any;
 };
-/// collapse: end_speed, t_any, x_any, v_any. Domain: as the error at its end says.
+/// collapse: end_speed, t_any, x_any, v_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0
+///   to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e)
+///   from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from
+///   0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.y_e, bodies.end_speed,
 ///   bodies.t_any, bodies.x_any, bodies.v_any.
 /// Operations: products: 16, quotients: 9, roots: 4, sums: 13.

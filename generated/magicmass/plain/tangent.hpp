@@ -17,8 +17,8 @@ template <class Number>
 struct VelocitiesTangent {
   Number a, b, c, c_prime;
 };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: as the
-///   error at its end says.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
+///   0x1p-300 to 0x1p+300, n from 0 to 1125899906842624.
 /// Theorems: evaluators.def_above, evaluators.def_w, evaluators.def_t, evaluators.def_half_h,
 ///   evaluators.def_phase, evaluators.def_sine, evaluators.def_cosine, evaluators.def_t_sine,
 ///   evaluators.def_w_sine, evaluators.def_plus, evaluators.def_minus, evaluators.def_along,
@@ -70,7 +70,7 @@ struct TerminalTangent {
   Number N_A, N_B, a_t, b_t, c_t, rho;
 };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: as the error at its end says.
+///   Domain: alpha from 0x1p-100 to 0x1p+100.
 /// Theorems: evaluators.def_above, evaluators.def_w, evaluators.def_t, evaluators.def_half_h,
 ///   evaluators_end.def_h, evaluators_end.N_A, evaluators_end.def_rest,
 ///   evaluators_end.def_rest_sine, evaluators_end.def_rest_cosine, evaluators_end.def_t_cosine,
