@@ -300,7 +300,10 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
                "\"magicmass/arithmetic/rounding_test.hpp\"",
                "\"magicmass/evaluators/polynomials.hpp\""}) +
       "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n"
-      "using namespace arithmetic;\n" +
+      "using arithmetic::rounded_by, arithmetic::size_of;\n" +
+      (q.has_arrays ? "using arithmetic::load, arithmetic::Simd, arithmetic::SimdMask, "
+                      "arithmetic::store, arithmetic::to_real, arithmetic::to_whole;\n"
+                    : "") +
       structures(q) + e.header + "/// What its callers need to know of " + q.name + ".\nstruct " +
       Q + " {\n  using Inputs = " + Q + "Inputs;\n  using Outputs = " + Q + "Outputs;\n" +
       of_arrays +

@@ -13,7 +13,7 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using namespace arithmetic;
+using arithmetic::rounded_by, arithmetic::size_of;
 struct AngleInputs {
   double alpha;
 };

@@ -14,7 +14,9 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using namespace arithmetic;
+using arithmetic::rounded_by, arithmetic::size_of;
+using arithmetic::load, arithmetic::Simd, arithmetic::SimdMask, arithmetic::store,
+    arithmetic::to_real, arithmetic::to_whole;
 struct VelocitiesInputs {
   double alpha;
   std::int64_t n;
