@@ -27,6 +27,7 @@ fresh && expect ""
 budget=$(awk '$1 == "symbolic/kernel" {print $2}' "$here/rooms.txt")
 fresh && for ((i = 2; i < budget; ++i)); do echo "int x$i;"; done >>"$copy/symbolic/kernel/a.cpp" && expect ""
 echo 'int last;' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel: $((budget + 1)) lines, at most $budget"
+fresh && printf 'int y%d;\n' {1..38000} >>"$copy/symbolic/kernel/a.cpp" && expect "all: 38004 lines, at most 38000"
 fresh && printf '// %097d\n' 0 >>"$copy/symbolic/kernel/a.cpp" && expect ""
 fresh && printf '// %098d\n' 0 >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: 101 columns"
 fresh && echo 'int a = 1; int b = 2;' >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: two statements"
