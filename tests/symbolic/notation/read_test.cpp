@@ -31,20 +31,88 @@ struct Words {
     define("contact", {x, y}, lt(x, y), 0);
   }
 };
-/// One of the kind, as in forms.tsv.
-std::string random_form(std::mt19937& random, char kind, int depth) {
-  static const auto all = rows_of("symbolic/notation/forms.tsv", 2);
-  std::vector<std::string> forms;
-  for (const auto& row : all) {
-    const bool is_leaf = row[1].find_first_of(kind == 'F' ? "F" : "RIMF") == std::string::npos;
-    if (row[0][0] == kind && (depth > 0 || is_leaf)) forms.push_back(row[1]);
-  }
-  std::string out;
-  for (const char c : forms[random() % forms.size()])
-    out += std::string("DRIMF").find(c) == std::string::npos ? std::string(1, c)
-                                                             : random_form(random, c, depth - 1);
-  return out;
+template <class... Terms>
+Expr call(const std::string& name, Terms... terms) {
+  return fun(name, {terms...});
 }
+Expr all_of(Expr p, Expr q, Expr r) { return logic_and({p, q, r}); }
+Expr any_of(Expr p, Expr q) { return logic_or({p, q}); }
+Expr with_rows(Expr a, Expr c, Expr d) { return matrix(2, {a, 1, c, d}); }
+// Random trees over all that the kernel can make.
+class Trees {
+public:
+  explicit Trees(unsigned seed) : random(seed) {}
+  Expr integer_term(int depth) {
+    const auto sub = [&] { return integer_term(depth - 1); };
+    return one_of(depth, 5,
+                  {[&] { return Expr(below(3)); }, [&] { return -Expr(below(30)); },
+                   [&] { return w.n; }, [&] { return w.k; }, [&] { return w.T; },
+                   [&] { return ceil(term(depth - 1)); }, [&] { return power(sub(), 2); },
+                   [&] { return sub() * sub(); }, [&] { return sub() - sub(); }});
+  }
+  Expr term(int depth) {
+    const auto sub = [&] { return term(depth - 1); };
+    const auto at = [&] { return integer_term(depth - 1); };
+    const auto base = [&] { return below(2) ? w.x : sub(); };
+    const auto number = [&] { return Expr(below(9) - 4) / (1 + below(3)); };
+    return one_of(depth, 4,
+                  {number,
+                   [&] { return w.x; },
+                   [&] { return w.y; },
+                   pi,
+                   [&] { return sub() + sub() + sub(); },
+                   [&] { return sub() * sub() * sub(); },
+                   [&] { return number() * sub(); },
+                   [&] { return call("inv", sub()); },
+                   [&] { return power(fun("inv", {sub()}), 2 + below(2)); },
+                   [&] { return power(sub(), 1 + below(3)); },
+                   [&] { return -sub(); },
+                   [&] { return sub() - sub(); },
+                   [&] { return sub() / sin(sub()); },
+                   [&] { return sub() / (2 * power(w.x, 2) * sqrt(sub())); },
+                   [&] { return call(below(2) ? "a" : "c'", base(), at()); },
+                   [&] { return call("alpha_", base(), at()); },
+                   [&] { return call("C", sub(), at(), at()); },
+                   [&] { return call("psi", base()); },
+                   [&] { return call("N", below(2) ? w.n : at()); },
+                   [&] { return entry(square(depth - 1), below(2), below(2)); },
+                   [&] { return det(square(depth - 1)); },
+                   at});
+  }
+  Expr square(int depth) {
+    const auto sub = [&] { return square(depth - 1); };
+    const auto entry = [&] { return term(depth - 1); };
+    return one_of(
+        depth, 2,
+        {[&] { return call("Lambda", below(2) ? w.x : term(0)); },
+         [&] { return call("rho", term(0)); }, [&] { return times(sub(), sub()); },
+         [&] { return transpose(sub()); }, [&] { return power(sub(), integer_term(depth - 1)); },
+         [&] { return with_rows(entry(), entry(), term(0)); }});
+  }
+  Expr formula(int depth) {
+    const auto sub = [&] { return formula(depth - 1); };
+    const auto from = [&] { return imp(le(integer_term(1), w.n), sub()); };
+    return one_of(
+        depth, 5,
+        {[&] { return eq(term(depth), term(depth)); }, [&] { return lt(term(depth), term(depth)); },
+         [&] { return le(integer_term(depth), term(depth)); },
+         [&] { return call("contact", term(depth), w.x); },
+         [&] { return eq(square(depth), square(depth)); }, [&] { return logic_not(sub()); },
+         [&] { return all_of(sub(), sub(), sub()); }, [&] { return any_of(sub(), sub()); },
+         [&] { return imp(sub(), sub()); }, [&] { return iff(sub(), sub()); },
+         [&] { return all(below(2) ? w.x : w.y, sub()); },
+         [&] { return all(below(2) ? w.n : w.k, sub()); }, [&] { return all(w.n, from()); }});
+  }
+
+private:
+  int below(int n) { return int(random() % unsigned(n)); }
+  // The first ways are those without a part.
+  Expr one_of(int depth, int leaves, const std::vector<std::function<Expr()>>& ways) {
+    return ways[std::size_t(below(depth > 0 ? int(ways.size()) : leaves))]();
+  }
+  Words w;
+  std::mt19937 random;
+};
 // What people type.
 std::string reading(const std::string& typed) {
   const Typed read = read_typed(typed);
@@ -60,12 +128,12 @@ std::string refused(const std::string& typed) {
 }  // namespace
 
 TEST_CASE("thousands of random trees are read back") {
-  const Words w;
-  std::mt19937 random(20250101);
+  Trees trees(20250101);
   for (int round = 0; round < 8000; ++round) {
-    const std::string form = random_form(random, "RFM"[round % 3], 1 + round % 4);
-    INFO(form);
-    const Expr e = read(form);
+    const int depth = 1 + round % 4;
+    const Expr e = round % 3 == 0   ? trees.term(depth)
+                   : round % 3 == 1 ? trees.formula(depth)
+                                    : trees.square(depth);
     const std::string words = text(e);
     INFO(words);
     Expr back;
