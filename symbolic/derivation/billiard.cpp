@@ -50,14 +50,14 @@ void walls(Book& book, const Theorem& cosine) {
     return eq(times(transpose(a), b), matrix(1, {value}));
   };
   book.show("walls",
-            "With the places of A and C times the roots of their masses, and that of B, which is "
-            "sqrt(w_B) Z, bodies touch where a product is 0:",
+            "With A at x, the ball at y and B at sqrt(w_B) Z, two of them touch where one of these "
+            "products is 0:",
             both({equation(dot(A_C, place, s * r_A() * (x - y))),
                   equation(dot(C_B, place, s * r_B() * (y - B * z)))}));
   const Theorem shape = lossless(book, "wedge.kappa");
   const Theorems shares = squared_shares(book);
   book.show(
-      "enclosed", "Those two vectors have the length 1, and their walls enclose the angle h:",
+      "enclosed", "Those two vectors have length 1, and their walls enclose the angle h:",
       both({equation(dot(A_C, A_C, 1), shares), equation(dot(C_B, C_B, 1), shares),
             equation(dot(A_C, C_B, -right(cosine)), {turned(cosine), shape, root_is(1, 1)})}));
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The one visitor of formulas: it decides structure, parentheses and signs; LaTeX and MathML write
-// them.
+// The one visitor of formulas: it decides structure, parentheses and signs; a notation writes them.
+#pragma once
+
 #include <algorithm>
 
 #include "kernel/names.hpp"
 #include "render/pages.hpp"
 
 namespace render {
-namespace {
 using Strings = std::vector<std::string>;
 
 /// Of a variable or function: c'_n has head c, a prime, index n.
@@ -17,10 +17,10 @@ struct Name {
   std::string index;  ///< or empty
 };
 /// Letters that are written as words, and themselves.
-const std::map<std::string, std::string> greek{{"lambda", "λ"}, {"Lambda", "Λ"}, {"Gamma", "Γ"},
-                                               {"alpha", "α"},  {"theta", "θ"},  {"kappa", "κ"},
-                                               {"delta", "δ"},  {"beta", "β"},   {"psi", "ψ"},
-                                               {"pi", "π"},     {"rho", "ρ"}};
+inline const std::map<std::string, std::string> greek{
+    {"lambda", "λ"}, {"Lambda", "Λ"}, {"Gamma", "Γ"}, {"alpha", "α"},
+    {"theta", "θ"},  {"kappa", "κ"},  {"delta", "δ"}, {"beta", "β"},
+    {"psi", "ψ"},    {"pi", "π"},     {"rho", "ρ"}};
 
 using kernel::Expr;
 using kernel::Exprs;
@@ -245,146 +245,4 @@ private:
             Quantified};
   }
 };
-
-class Latex : public Visitor {
-public:
-  Latex()
-      : Visitor({.number = {},
-                 .call = {"", "\\left(", "\\right)"},
-                 .fraction = {"\\frac{", "}{", "}"},
-                 .root = {"\\sqrt{", "", "}"},
-                 .ceiling = {"\\left\\lceil ", "", "\\right\\rceil"},
-                 .parentheses = {"\\left(", "", "\\right)"}}) {}
-  std::string name(const Name& name) const override {
-    static const std::set<std::string> functions{"sin", "cos", "det"};
-    const auto& [head, is_primed, index] = name;
-    std::string out = greek.contains(head) || functions.contains(head) ? "\\" + head
-                      : head == "atan"                                 ? "\\arctan"
-                      : head.size() == 1                               ? head
-                                                                       : "\\mathrm{" + head + "}";
-    if (is_primed) out += "'";
-    if (index.empty()) return out;
-    std::string words = index.size() > 1 ? "\\mathrm{" + index + "}" : index;
-    std::replace(words.begin(), words.end(), '_', ' ');
-    return out + "_{" + words + "}";
-  }
-  std::string indexed(const std::string& base, const std::string& index) const override {
-    // A prime comes before the index: c'_{n}. A second index joins the first.
-    if (base.back() == '}' && base.find("_{") != std::string::npos)
-      return base.substr(0, base.size() - 1) + ", " + index + "}";
-    return base + "_{" + index + "}";
-  }
-  std::string power(const std::string& base, const std::string& exponent) const override {
-    const bool is_primed = base.find('\'') != base.npos;  // a prime is a superscript
-    return (is_primed ? "{" + base + "}" : base) + "^{" + exponent + "}";
-  }
-  std::string matrix(const std::vector<Strings>& rows) const override {
-    std::string out = "\\begin{pmatrix}";
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      out += i == 0 ? "" : " \\\\ ";
-      for (std::size_t j = 0; j < rows[i].size(); ++j) out += (j == 0 ? "" : " & ") + rows[i][j];
-    }
-    return out + "\\end{pmatrix}";
-  }
-  std::string product(const Strings& factors) const override {
-    std::string out;
-    for (const std::string& f : factors) {
-      const bool digits = !f.empty() && f[0] >= '0' && f[0] <= '9';
-      out += out.empty() ? "" : digits ? " \\cdot " : " \\, ";
-      out += f;
-    }
-    return out;
-  }
-  std::string word(const std::string& word) const override {
-    static const std::map<std::string, std::string> signs{
-        {" <= ", " \\le "},    {" != ", " \\ne "},           {"not ", "\\lnot "},
-        {" and ", ",\\quad "}, {" implies ", " \\implies "}, {" if and only if ", " \\iff "}};
-    if (const auto sign = signs.find(word); sign != signs.end()) return sign->second;
-    if (word.find_first_of("abcdefghijklmnopqrstuvwxyz") == word.npos) return word;
-    return "\\text{" + word + "}";
-  }
-};
-std::string element(const std::string& tag, const std::string& inside) {
-  return "<" + tag + ">" + inside + "</" + tag + ">";
-}
-std::string row(const std::string& inside) { return element("mrow", inside); }
-class Mathml : public Visitor {
-public:
-  Mathml()
-      : Visitor({.number = {"<mn>", "", "</mn>"},
-                 .call = {"", "<mo>&#x2061;</mo><mrow><mo>(</mo>", "<mo>)</mo></mrow>"},
-                 .fraction = {"<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>"},
-                 .root = {"<msqrt>", "", "</msqrt>"},
-                 .ceiling = {"<mrow><mo>⌈</mo>", "", "<mo>⌉</mo></mrow>"},
-                 .parentheses = {"<mrow><mo>(</mo>", "", "<mo>)</mo></mrow>"}}) {}
-  /// Words stay upright.
-  std::string name(const Name& name) const override {
-    const auto letter = greek.find(name.head);
-    const std::string head = letter != greek.end() ? letter->second
-                             : name.head == "atan" ? "arctan"
-                                                   : name.head;
-    std::string out = element("mi", head);
-    if (name.is_primed) out = element("msup", out + element("mo", "′"));
-    if (name.index.empty()) return out;
-    const bool is_number = name.index.find_first_not_of("0123456789") == name.index.npos;
-    return indexed(out, element(is_number ? "mn" : "mi", name.index));
-  }
-  std::string indexed(const std::string& base, const std::string& index) const override {
-    static const std::string prime = "<mo>′</mo>";
-    const std::size_t at = base.find(prime);  // above the index, not before it
-    if (at == base.npos) return element("msub", row(base) + row(index));
-    const std::string plain = base.substr(6, at - 6);
-    return element("msubsup", plain + row(index) + prime);
-  }
-  std::string power(const std::string& base, const std::string& exponent) const override {
-    return element("msup", row(base) + row(exponent));
-  }
-  std::string matrix(const std::vector<Strings>& rows) const override {
-    std::string table;
-    for (const Strings& r : rows) {
-      std::string cells;
-      for (const std::string& cell : r) cells += element("mtd", cell);
-      table += element("mtr", cells);
-    }
-    return frames.parentheses.of(element("mtable", table));
-  }
-  std::string product(const Strings& factors) const override {
-    std::string out;
-    for (const std::string& f : factors) {
-      const bool is_number = f.starts_with("<mn>");
-      const bool is_call = f.starts_with("<mi>") && f.find("</mi><mo>&#x2061;") == f.find("</mi>");
-      out += out.empty() ? "" : is_number ? "<mo>⋅</mo>" : "<mo>&#x2062;</mo>";
-      if (!out.empty() && is_call) out += "<mspace width=\"0.17em\"/>";
-      out += f;
-    }
-    return out;
-  }
-  std::string word(const std::string& word) const override {
-    static const std::map<std::string, std::string> signs{{"-", "−"},
-                                                          {" + ", "+"},
-                                                          {" - ", "−"},
-                                                          {",", ","},
-                                                          {", ", ","},
-                                                          {": ", ":"},
-                                                          {" = ", "="},
-                                                          {" < ", "&lt;"},
-                                                          {" <= ", "≤"},
-                                                          {" != ", "≠"},
-                                                          {"not ", "¬"},
-                                                          {" implies ", "⟹"},
-                                                          {" if and only if ", "⟺"}};
-    const auto sign = signs.find(word);
-    if (sign != signs.end()) return element("mo", sign->second);
-    std::string text = word;
-    for (std::size_t at = text.find(' '); at != text.npos; at = text.find(' ', at))
-      text.replace(at, 1, "&#xa0;");
-    return element("mtext", text);
-  }
-};
-}  // namespace
-
-std::string latex(Expr e) { return Latex().text(e); }
-std::string mathml(Expr e, bool is_block) {
-  return (is_block ? "<math display=\"block\">" : "<math>") + Mathml().text(e) + "</math>";
-}
 }  // namespace render

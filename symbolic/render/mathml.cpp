@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+#include "render/visitor.hpp"
+
+namespace render {
+namespace {
+std::string element(const std::string& tag, const std::string& inside) {
+  return "<" + tag + ">" + inside + "</" + tag + ">";
+}
+std::string row(const std::string& inside) { return element("mrow", inside); }
+class Mathml : public Visitor {
+public:
+  Mathml()
+      : Visitor({.number = {"<mn>", "", "</mn>"},
+                 .call = {"", "<mo>&#x2061;</mo><mrow><mo>(</mo>", "<mo>)</mo></mrow>"},
+                 .fraction = {"<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>"},
+                 .root = {"<msqrt>", "", "</msqrt>"},
+                 .ceiling = {"<mrow><mo>⌈</mo>", "", "<mo>⌉</mo></mrow>"},
+                 .parentheses = {"<mrow><mo>(</mo>", "", "<mo>)</mo></mrow>"}}) {}
+  /// Words stay upright.
+  std::string name(const Name& name) const override {
+    const auto letter = greek.find(name.head);
+    const std::string head = letter != greek.end() ? letter->second
+                             : name.head == "atan" ? "arctan"
+                                                   : name.head;
+    std::string out = element("mi", head);
+    if (name.is_primed) out = element("msup", out + element("mo", "′"));
+    if (name.index.empty()) return out;
+    const bool is_number = name.index.find_first_not_of("0123456789") == name.index.npos;
+    return indexed(out, element(is_number ? "mn" : "mi", name.index));
+  }
+  std::string indexed(const std::string& base, const std::string& index) const override {
+    static const std::string prime = "<mo>′</mo>";
+    const std::size_t at = base.find(prime);  // above the index, not before it
+    if (at == base.npos) return element("msub", row(base) + row(index));
+    const std::string plain = base.substr(6, at - 6);
+    return element("msubsup", plain + row(index) + prime);
+  }
+  std::string power(const std::string& base, const std::string& exponent) const override {
+    return element("msup", row(base) + row(exponent));
+  }
+  std::string matrix(const std::vector<Strings>& rows) const override {
+    std::string table;
+    for (const Strings& r : rows) {
+      std::string cells;
+      for (const std::string& cell : r) cells += element("mtd", cell);
+      table += element("mtr", cells);
+    }
+    return frames.parentheses.of(element("mtable", table));
+  }
+  std::string product(const Strings& factors) const override {
+    std::string out;
+    for (const std::string& f : factors) {
+      const bool is_number = f.starts_with("<mn>");
+      const bool is_call = f.starts_with("<mi>") && f.find("</mi><mo>&#x2061;") == f.find("</mi>");
+      out += out.empty() ? "" : is_number ? "<mo>⋅</mo>" : "<mo>&#x2062;</mo>";
+      if (!out.empty() && is_call) out += "<mspace width=\"0.17em\"/>";
+      out += f;
+    }
+    return out;
+  }
+  std::string word(const std::string& word) const override {
+    static const std::map<std::string, std::string> signs{{"-", "−"},
+                                                          {" + ", "+"},
+                                                          {" - ", "−"},
+                                                          {",", ","},
+                                                          {", ", ","},
+                                                          {": ", ":"},
+                                                          {" = ", "="},
+                                                          {" < ", "&lt;"},
+                                                          {" <= ", "≤"},
+                                                          {" != ", "≠"},
+                                                          {"not ", "¬"},
+                                                          {" implies ", "⟹"},
+                                                          {" if and only if ", "⟺"}};
+    const auto sign = signs.find(word);
+    if (sign != signs.end()) return element("mo", sign->second);
+    std::string text = word;
+    for (std::size_t at = text.find(' '); at != text.npos; at = text.find(' ', at))
+      text.replace(at, 1, "&#xa0;");
+    return element("mtext", text);
+  }
+};
+}  // namespace
+
+std::string mathml(Expr e, bool is_block) {
+  return (is_block ? "<math display=\"block\">" : "<math>") + Mathml().text(e) + "</math>";
+}
+}  // namespace render
