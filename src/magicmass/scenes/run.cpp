@@ -153,15 +153,29 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
 
 /// Without all collisions before them.
 void follow_by_theorem(const Scene& scene, const Result& result, const Points& sink) {
-  std::vector<Value> times = scene.times;
-  std::ranges::stable_sort(times, {}, &Value::to_double);
-  for (const Value& at : times) {
-    const double time = at.to_double();
-    if (result.known_until && time > std::get<double>(*result.known_until)) return;
+  const auto all_at = [&](const Value& at) {
     std::size_t body = 0;
     for (const double place : places_by_theorem(scene, result.events, at))
-      sink({time, body++, place});
+      sink({at.to_double(), body++, place});
+  };
+  std::vector<Value> times = scene.times;
+  std::ranges::stable_sort(times, {}, &Value::to_double);
+  const auto end = result.known_until;
+  for (const Value& at : times) {
+    if (end && at.to_double() > std::get<double>(*end)) return;
+    all_at(at);
   }
+  if (!times.empty()) return;
+  all_at(value_of(0));
+  stream_by_theorem(scene, scene.every, [&](const Row& row) {
+    for (const std::size_t body : {row.gap - 1, row.gap})
+      if (body < scene.masses.size()) sink({row.time, body, row.position});
+  });
+  Number last = end.value_or(0.0);
+  if (!end)
+    stream_by_theorem(scene, std::max<std::int64_t>(result.events, 1),
+                      [&](const Row& row) { last = row.time; });
+  all_at(value_of(std::get<double>(last)));
 }
 
 }  // namespace
@@ -226,8 +240,7 @@ void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t
 void trajectory(const Scene& scene, const Result& result, const Points& sink) {
   if (result.plan.is_exact)
     follow<Quadratic>(scene, result, sink);
-  else if (result.plan.model != "events" && result.status != Status::collapse &&
-           !scene.times.empty())
+  else if (result.plan.model != "events" && result.status != Status::collapse)
     follow_by_theorem(scene, result, sink);
   else
     follow<double>(scene, result, sink);

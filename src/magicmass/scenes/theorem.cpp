@@ -162,11 +162,11 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
       return row_of(trios.seen(stepped->collision(*now)));
     };
     const Balls again = [&] {
-      now = stepped->stepped(stepped->shape(), j);
+      now = stepped->stepped(stepped->shape(), j - trios.thrown());
       return next();
     };
     const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
-    const bool is_next = stepped && !is_last;
+    const bool is_next = stepped && j >= trios.thrown() && !is_last;
     auto row = is_next && now ? rounded(next) : std::nullopt;
     if (!row) row = certain(is_next ? again : alone);
     const std::vector<double>& n = *row;

@@ -125,6 +125,8 @@ public:
   /// When it takes place, where that is known to be in the field of V and places.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
   std::size_t bodies() const { return is_cradle_ ? 2 * pairs_.size() + 1 : alone()->bodies(); }
+  /// How many collisions come before those of a trio.
+  std::int64_t thrown() const { return thrown_ ? 1 : 0; }
   /// The body at the end that V is handed on to.
   std::size_t last() const { return is_mirrored_ ? 0 : bodies() - 1; }
   std::vector<Ball> velocities(std::int64_t collisions) const;
@@ -150,12 +152,18 @@ private:
   std::int64_t way_ = 0;                     // collisions of one way
   Quadratic x_, V_;                          // the straight line: where it begins at time 0
   std::optional<Quadratic> ahead_, behind_;  // walls
+  /// Where the ball hits the wall before it meets the block: then the trio is that of a ball that
+  /// has always come from beyond the wall, as slowly as it leaves it.
+  std::optional<simulator::Line<Quadratic>> thrown_;
   /// What is the same for each ball of one magic ratio, by bits and its number.
   mutable std::map<std::pair<int, std::int64_t>, Trio::Shape> shapes_;
 
   /// Likewise, but not in a mirror.
   static std::optional<Trios> of(const std::vector<Value>& masses,
                                  const simulator::Line<Quadratic>& line);
+  static std::optional<Trios> off_wall(const std::vector<Value>& masses,
+                                       const simulator::Line<Quadratic>& line);
+  void be_alone(const Trio& trio);
   const Trio::Shape& shape_of(const Pair& pair) const;
   /// After so many collisions all comes again, only later.
   std::int64_t period() const { return 2 * way_ + 2; }

@@ -16,14 +16,18 @@ bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
 
 }  // namespace
 
+void Trios::be_alone(const Trio& trio) {
+  is_cradle_ = false;
+  way_ = INT64_MAX / 2 - 1;
+  pairs_ = {{trio, way_ / 2, 0, 0}};
+}
+
 std::optional<Trios> Trios::of(const Scene& scene) {
   Trios all;
   for (const bool is_mirrored : {false, true})
     if (const auto trio = Trio::of(scene, is_mirrored)) {
-      all.is_cradle_ = false;
       all.is_mirrored_ = is_mirrored;
-      all.way_ = INT64_MAX / 2 - 1;
-      all.pairs_ = {{*trio, all.way_ / 2, 0, 0}};
+      all.be_alone(*trio);
       return all;
     }
   Scene exact = scene;  // but for the masses
@@ -46,6 +50,7 @@ std::optional<Trios> Trios::of(const std::vector<Value>& masses,
   Trios all;
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
+  if (bodies == 2) return off_wall(masses, line);
   if (bodies < 3 || bodies % 2 == 0) return {};
   if (std::any_of(v.begin() + 1, v.end(), [](const Quadratic& u) { return !(u == 0); })) return {};
   all.x_ = x[0];
@@ -71,8 +76,34 @@ std::optional<Trios> Trios::of(const std::vector<Value>& masses,
   return all;
 }
 
+std::optional<Trios> Trios::off_wall(const std::vector<Value>& masses,
+                                     const simulator::Line<Quadratic>& line) {
+  if (!line.right_wall || line.left_wall) return {};
+  const Quadratic wall = *line.right_wall, e = line.restitution, none(0);
+  const Quadratic W = line.velocities[1], V = line.velocities[0] - W;
+  const Quadratic d_A = line.positions[1] - line.positions[0], d_B = wall - line.positions[1];
+  if (!(none < W) || !(V * d_B < W * d_A)) return {};
+  const Quadratic faster = V + W + e * W;
+  if (!(none < faster)) return {};
+  const auto trio = Trio::of({.masses = masses,
+                              .e = e,
+                              .V{"", faster},
+                              .W_per_V = none - e * W / faster,
+                              .d_A{"", d_A + d_B + e * d_B},
+                              .d_B{"", none - e * d_B},
+                              .place{"", wall}});
+  if (!trio) return {};
+  Trios all;
+  all.be_alone(*trio);
+  all.thrown_ = line;
+  return all;
+}
+
 std::optional<std::int64_t> Trios::count() const {
-  if (alone()) return alone()->count();
+  if (alone()) {
+    const auto N = alone()->count();
+    return N ? std::optional(*N + thrown()) : N;
+  }
   if (ahead_ && behind_) return {};
   return ahead_ ? 2 * way_ + 1 : way_;
 }
@@ -92,6 +123,7 @@ struct Trios::Moment {
   Quadratic from;       ///< the time from which that on the first way counts
 };
 Trios::Moment Trios::moment(std::int64_t j) const {
+  j -= thrown();
   const std::int64_t of_round = j % period();
   Moment m{of_round > way_, nullptr, 0, 0};
   if (ahead_ && behind_)
@@ -105,6 +137,7 @@ Trios::Moment Trios::moment(std::int64_t j) const {
   return m;
 }
 std::optional<Quadratic> Trios::exact_time(std::int64_t j) const {
+  if (j < thrown()) return (*thrown_->right_wall - thrown_->positions[1]) / thrown_->velocities[1];
   const Moment m = moment(j);
   const auto on_first_way =
       m.pair ? m.pair->trio.exact_time(m.number) : time_at(m.is_back ? *behind_ : *ahead_);
@@ -122,6 +155,11 @@ Trio::Collision Trios::seen(const Trio::Collision& c) const {
   return {c.number, bodies() - c.gap, c.time, -c.position, -c.v_right, -c.v_left};
 }
 Trio::Collision Trios::collision(std::int64_t j) const {
+  if (j < thrown()) {
+    const Ball wall = ball_of(*thrown_->right_wall), W = ball_of(thrown_->velocities[1]);
+    return seen(Trio::Collision{1, 2, ball_of(*exact_time(j)), wall,
+                                -ball_of(thrown_->restitution) * W, 0});
+  }
   const Moment m = moment(j);
   Trio::Collision c{};
   if (m.pair) {
@@ -144,6 +182,10 @@ Trio::Collision Trios::collision(std::int64_t j) const {
   return seen(c);
 }
 std::vector<Ball> Trios::velocities(std::int64_t collisions) const {
+  if (collisions < thrown()) {
+    const auto& v = thrown_->velocities;
+    return seen(std::vector{ball_of(v[0]), ball_of(v[1])});
+  }
   const bool is_back = moment(collisions).is_back;
   const Moment m = moment(is_back ? collisions - 1 : collisions);
   std::vector<Ball> all(bodies());
@@ -157,9 +199,14 @@ std::vector<Ball> Trios::velocities(std::int64_t collisions) const {
   return seen(std::move(all));
 }
 std::vector<Ball> Trios::places(const Ball& time, std::int64_t collisions) const {
+  if (collisions < thrown()) {
+    const auto &x = thrown_->positions, &v = thrown_->velocities;
+    return seen(
+        std::vector{ball_of(x[0]) + ball_of(v[0]) * time, ball_of(x[1]) + ball_of(v[1]) * time});
+  }
   const Moment m = moment(collisions);
   const Ball from = ball_of(m.from), on_first_way = m.is_back ? from - time : time - from;
-  const std::int64_t of_round = collisions % period();
+  const std::int64_t of_round = (collisions - thrown()) % period();
   const std::int64_t before = m.is_back ? 2 * way_ + 1 - of_round : of_round;
   std::vector<Ball> all(bodies());
   for (const Pair& pair : pairs_) {
@@ -178,6 +225,8 @@ std::vector<Ball> Trios::masses() const {
   return all;
 }
 std::vector<std::int64_t> Trios::counts(std::int64_t collisions) const {
+  const std::int64_t at_wall = std::min(collisions, thrown());
+  collisions -= at_wall;
   const std::int64_t of_round = collisions % period(), round = collisions / period();
   const std::int64_t out = std::min(of_round, way_), back = std::max(of_round - way_ - 1, {});
   std::vector<std::int64_t> all(bodies() + 1);
@@ -190,7 +239,7 @@ std::vector<std::int64_t> Trios::counts(std::int64_t collisions) const {
     all[left + 1] = round * N + there / 2 + (here + 1) / 2;
   }
   all.front() += round;
-  all.back() += round + (of_round > way_ ? 1 : 0);
+  all.back() += round + (of_round > way_ ? 1 : 0) + at_wall;
   if (is_mirrored_) std::ranges::reverse(all);
   return all;
 }

@@ -62,33 +62,32 @@ bool holds(const Ball& ball, const cl_RA& x) {
   return ball.low() <= x && x <= ball.high() && width < most * (1 + cln::abs(x));
 }
 /// What the theorem says of the first collisions, and of the velocities after all of them.
-void compare(const Trio& trio, const std::vector<Step>& rows, const Line& after) {
+void compare(const Trios& trio, const std::vector<Step>& rows, const Line& after) {
   Ball::set_bits(320);
-  const Trio::Shape shape = trio.shape();
   for (std::size_t j = 0; j < rows.size(); ++j) {
     INFO(j);
     const auto index = std::int64_t(j);
-    const Trio::Collision c = trio.collision(shape, index);
+    const Trio::Collision c = trio.collision(index);
     REQUIRE(c.gap == rows[j].gap);
     REQUIRE(holds(c.time, rows[j].time));
     REQUIRE(holds(c.position, rows[j].position));
     REQUIRE(holds(c.v_left, rows[j].v_left));
     REQUIRE(holds(c.v_right, rows[j].v_right));
   }
-  const std::vector<Ball> v = trio.velocities(shape, std::int64_t(rows.size()));
+  const std::vector<Ball> v = trio.velocities(std::int64_t(rows.size()));
   for (std::size_t k = 0; k < v.size(); ++k) REQUIRE(holds(v[k], after.v[(2 * k) % 3]));  // A, C, B
 }
 /// A collapse lies between what its first collisions leave open. A becomes slower with each one, B
 /// faster. Each wait is a part of the one before that soon hardly changes, so that those that are
 /// left are about `rest`. How far the limits are apart.
-cl_RA compare_end(const Trio& trio, const std::vector<Step>& rows, Line line) {
+cl_RA compare_end(const Trios& trio, const std::vector<Step>& rows, Line line) {
   const auto time = [&](std::size_t before_last) {
     return rows.at(rows.size() - before_last).time;
   };
   const cl_RA wait = time(1) - time(2), part = wait == 0 ? cl_RA(0) : wait / (time(2) - time(3));
   const cl_RA rest = wait * part / (1 - part);
   Ball::set_bits(1024);
-  const Trio::Collision end = trio.collapse(trio.shape());
+  const Trio::Collision end = trio.collapse();
   const auto between = [](const cl_RA& low, const Ball& x, const cl_RA& high) {
     REQUIRE(low <= x.high());
     REQUIRE(x.low() <= high);
@@ -127,7 +126,7 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
     const std::size_t most = !is_collapse || i % 20 == 0 ? 120 : 30;
     if (!is_collapse && result.events > 110) continue;
     const std::vector<Step> rows = stepped(line, int(most));
-    const Trio trio = *Trio::of(scene);
+    const Trios trio = *Trios::of(scene);
     const auto count = trio.count();
     if (is_collapse) {
       ++collapsed;
@@ -161,6 +160,54 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
   CHECK(collapsed > 1000);
   CHECK(narrow > 100);
   CHECK(fled > 50);
+}
+
+TEST_CASE("A ball that hits the wall before it meets the block", "[check]") {
+  std::mt19937_64 random(43);
+  const auto fraction = [&](int from, int to, int below) {
+    return cl_RA(from + int(random() % std::uint64_t(to - from + 1))) / below;
+  };
+  int complete = 0, many = 0, collapsed = 0, once = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const cl_RA e = random() % 2 == 0 ? cl_RA(1) : fraction(1, 40, 40);
+    const cl_RA x = fraction(-8, 8, 4), wall = x + fraction(0, 6, 7), W = fraction(1, 12, 4);
+    const cl_RA ball = fraction(1, 24, random() % 4 == 0 ? 4000 : 12), d_A = fraction(1, 9, 4);
+    const cl_RA V = fraction(-12, 8, 8) * (wall == x ? cl_RA(3) : W * d_A / (wall - x));
+    Line line{fraction(1, 40, 6), 0, ball, e, {W + V, 0, W}, {x - d_A, wall, x}};
+    line.N = 1;  // so B is next
+    if (V * (wall - x) >= W * d_A) continue;
+    INFO(text_of(line));
+    const Scene scene = scene_of(text_of(line));
+    const Result result = run(scene);
+    check_mirrored(result, run(mirrored(scene)));
+    const auto trio = Trios::of(scene);
+    Line start = line;
+    const std::vector<Step> rows = stepped(line, 121);
+    if (!trio) {
+      ++once;
+      REQUIRE(rows.size() < 121);
+      continue;
+    }
+    compare(*trio, rows, line);
+    const cl_RA early = (wall - x) / W / 2;
+    REQUIRE(holds(trio->places(ball_of(Quadratic(early)), 0)[1], x + early * W));
+    REQUIRE(holds(trio->velocities(0)[0], start.v[0]));
+    if (result.status == Status::collapse) {
+      ++collapsed;
+      compare_end(*trio, rows, line);
+    } else if (rows.size() < 110) {
+      ++complete;
+      many += result.plan.is_exact ? 0 : 1;
+      REQUIRE(result.events == std::int64_t(rows.size()));
+      for (std::size_t k : {0U, 1U}) REQUIRE(number(result.terminal[k]) == number(line.v[2 * k]));
+      const std::vector<Numbers> told = numbers_of(scene);
+      for (std::size_t j = 0; j < rows.size(); ++j) REQUIRE(told.at(j) == numbers(rows[j]));
+    }
+  }
+  CHECK(complete > 300);
+  CHECK(many > 10);
+  CHECK(collapsed > 100);
+  CHECK(once > 10);
 }
 
 TEST_CASE("the last of 140,496 rows is what the theorem says", "[check]") {
