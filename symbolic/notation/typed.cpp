@@ -168,8 +168,9 @@ private:
     int open = 0;
     for (std::size_t i = place; i < words.size(); ++i) {
       const std::string& text = words[i].text;
-      open += text == "(" ? 1 : text == ")" ? -1 : 0;
-      if (open == 0 || (open == 1 && text == ",")) return text == "[" || text == ",";
+      if (open == 1 && (text == "," || text == ";" || (i == place + 1 && text == "["))) return true;
+      open += text == "(" || text == "[" ? 1 : text == ")" || text == "]" ? -1 : 0;
+      if (open == 0) return false;
     }
     return false;
   }
@@ -210,11 +211,19 @@ private:
   }
   Expr inside(const Token& opened) {
     const int outer = std::exchange(bars, 0);
-    const bool is_grid = opened.text == "[";
-    const Expr e = is_grid ? grid_of(rows(), opened.column) : expression();
+    const Expr e = opened.text == "[" ? square(opened) : expression();
     bars = outer;
-    close(is_grid ? "]" : opened.text == "(" ? ")" : "}", opened.column);
+    close(opened.text == "[" ? "]" : opened.text == "(" ? ")" : "}", opened.column);
     return e;
+  }
+  // A matrix, or brackets round brackets; the [a] in [[a], [b]] is a row.
+  Expr square(const Token& opened) {
+    const std::string before = place > 1 ? words[place - 2].text : "";
+    const std::vector<Exprs> all = rows();
+    const std::string after = is("]") ? words[place + 1].text : "";
+    const bool is_row = (before == "[" || before == ",") && (after == "," || after == "]");
+    const bool is_one = all.size() == 1 && all[0].size() == 1 && !is_matrix(all[0][0]);
+    return is_one && !is_row ? all[0][0] : grid_of(all, opened.column);
   }
   // {a + b}, or the one character that LaTeX takes.
   Expr group() {
