@@ -85,9 +85,10 @@ private:
     return true;
   }
   bool is_different_somewhere() {
-    std::vector<Point> all = points(domain, points_tried, {left, right});
+    const Domain box = narrowed(domain, conditions(domain));
+    std::vector<Point> all = points(box, points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
-    for (const Point& point : points(narrowed(domain, needs), points_inside, {}, true))
+    for (const Point& point : points(narrowed(box, needs), points_inside, {}, true))
       if (std::ranges::find(all, point) == all.end()) all.push_back(point);
     std::string why_none;
     bool is_open = false;  // somewhere it would take more bits to know a value

@@ -108,6 +108,7 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
   };
   if (!is_inside)
     for (int value : {1, -1, 2, -2, 0, 3, -3}) add(value);
+  if (!is_inside) add_around(0);
   for (int below = 2; below <= 5 && !range.is_integer; ++below)
     for (int above = 1; above < 2 * below; ++above) {
       const cln::cl_RA fraction = cln::cl_RA(above) / below;

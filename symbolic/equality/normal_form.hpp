@@ -148,6 +148,7 @@ private:
   int sign_of_two(const Sum& sum);
   int sign_of_trigonometric(const Sum& sum);
   int sign_of_cosine(const Sum& sum);
+  int sign_of_quadratic(const Sum& sum);
 };
 
 /// Proved on the domain; false where that is not found out.

@@ -172,7 +172,8 @@ int Forms::sign_of_composite(const Sum& sum) {
   int sign = 0;
   for (int (Forms::*rule)(const Sum&) :
        {&Forms::sign_by_terms, &Forms::sign_of_number, &Forms::sign_of_trigonometric,
-        &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_two})
+        &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_two,
+        &Forms::sign_of_quadratic})
     if (sign == 0) sign = (this->*rule)(sum);
   --depth;
   signs[sum] = {sign, depth};
@@ -267,6 +268,32 @@ int Forms::sign_by_shift(const Sum& sum) {
     const int sign = forms_of_s.sign_of(forms_of_s.of(kernel::substitute(*e, {{x, value}})));
     const bool is_end_left_out = is_bounded && range.high->is_inside;
     if (sign != 0) return is_end_left_out ? product(sign, 1) : sign;
+  }
+  return 0;
+}
+// a u^2 + b u + c, u a power of an atom, has the sign of a where 4 a c - b^2 is not negative.
+int Forms::sign_of_quadratic(const Sum& sum) {
+  std::set<Expr> atoms;
+  for (const auto& [powers, q] : sum)
+    for (const auto& [atom, e] : powers)
+      if (!is_complex(atom)) atoms.insert(atom);
+  for (Expr atom : atoms) {
+    std::map<cln::cl_RA, Sum> parts;
+    bool has_numbers = true;
+    for (const auto& [powers, q] : sum) {
+      const auto k = number_of(exponent_in(powers, atom));
+      has_numbers = has_numbers && k;
+      Product rest = powers;
+      rest.erase(atom);
+      parts[k.value_or(0)][rest] = q;
+    }
+    const cln::cl_RA top = parts.rbegin()->first;
+    const Sum a = parts[top], b = parts[top / 2], c = parts[0];
+    if (!has_numbers || top <= 0 || parts.size() != 3 || b.empty() || c.empty()) continue;
+    const int sign = sign_of(a);
+    if (std::abs(sign) < 2) continue;
+    const int rest = sign_of(scaled(times(a, c), 4) - times(b, b));
+    if (rest > 0) return product(sign, rest);
   }
   return 0;
 }
