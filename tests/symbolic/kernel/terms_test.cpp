@@ -61,8 +61,9 @@ TEST_CASE("names are identifiers and mean one thing for ever") {
   for (const std::string name : {"x''", "x'y", "'", "_x", "\xce\xb1"})
     refused(name, "is no name", [&] { real(name); });
   refused("61 letters", "is no name", [&] { real(std::string(61, 'x')); });
-  refused("a word of the notation", "a word of the notation", [&] { function("implies"); });
-  refused("det", "a word of the notation", [&] { function("det"); });
+  for (const std::string word : {"all", "and", "det", "every", "for", "if", "iff", "implies",
+                                 "integer", "not", "only", "or", "real"})
+    refused(word, "a word of the notation", [&] { function(word); });
   refused("a function's name", "name of a function", [&] { real("taken"); });
   refused("a constant's name", "name of a function", [&] { integer("pi"); });
   refused("a variable's name", "a variable already", [&] { function("x"); });
