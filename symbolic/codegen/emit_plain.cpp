@@ -129,10 +129,13 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
     e.header +=
         "/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
         joined(ceilings, ", ") + ".\n";
-  e.header += "template <class Number> requires(!std::integral<Number>)  // 1.0, not 1\n" +
-              (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
-                         : structure + "<Number>") +
-              " " + name + "(" + joined(parameters, ", ") + ") {\n";
+  e.header +=
+      "template <class Number>\n"
+      "  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or "
+      "1.0f\n" +
+      (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
+                 : structure + "<Number>") +
+      " " + name + "(" + joined(parameters, ", ") + ") {\n";
   if (!functions.empty())
     e.header += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
   const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";

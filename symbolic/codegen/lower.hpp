@@ -104,6 +104,13 @@ std::string shown(const Quantity& q, kernel::Expr formula);
 std::string emit_doubling(const Doubling& t, const Domain& d);
 /// Makes f(params, 2*x) and f(params, 2*x + 1) in a term known; the lines that compute both.
 std::string call_doubling(const Doubling& t, kernel::Expr term, Builder& terms);
+// The passes.
+/// Without what no output, sign or guard needs.
+Program without_dead_code(const Program& p);
+/// In at most three stages, for arrays: what takes the result of a function is in the next one.
+Program in_stages(const Program& p);
+/// Each node named, no two alike, none like a word of the emitted text: -x of x, where x is named.
+Program named(const Program& p);
 /// The case's program after all passes; outputs of plain forms are entries where they are matrices.
 /// Refused: a theorem with a hypothesis that does not follow from the intervals, a name without a
 /// definition, an operation that there is none for, a divisor or root whose range is not known, a

@@ -44,7 +44,8 @@ struct VelocitiesExact {
 /// Theorems: cycle.start_vector, cycle.c_start, power.V_CM, exact.b_before, exact.a, exact.b,
 ///   exact.c, exact.c_prime.
 /// Operations: none; or products: 6, quotients: 3, sums: 9, and those of the calls.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   if (n >= 0 && n <= 0) {
     return {Number(1), Number(0), Number(0), Number(0)};
@@ -80,7 +81,8 @@ struct TerminalExact {
 ///   alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904.
 /// Theorems: power.V_CM, exact.a_t, exact.b_t, terminal.definitions, evaluators_end.def_rho.
 /// Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std::int64_t N_B) {
   if (N_A >= 1 && N_A <= 4611686018427387904 && N_B >= 1 && N_B <= 4611686018427387904) {
     const std::pair<Number, Number> T_at_N_A = T_doubled(alpha, N_A);
@@ -109,7 +111,8 @@ struct ShapeExact {
 /// shape: K, q_e. Domain: M_A > 0, w_B >= 0, M_C > 0, e > 0.
 /// Theorems: collapse.def_K, bodies.def_q_e.
 /// Operations: products: 3, quotients: 4, sums: 4.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e) {
   const Number t1 = Number(1) + e;
@@ -130,7 +133,8 @@ struct TwoCollisionsExact {
 ///   evaluators_restitution.def_six, evaluators_restitution.a_two, evaluators_restitution.b_two,
 ///   evaluators_restitution.c_two, evaluators_restitution.def_rho_two.
 /// Operations: products: 16, quotients: 5, sums: 9.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number& w_B, const Number&
     e) {
   const Number t1 = Number(1) + e;

@@ -21,7 +21,8 @@ struct VelocitiesClosed {
 ///   0x1p-300 to 0x1p+20, n from 0 to 1125899906842624.
 /// Theorems: rotation.psi, power.V_CM, power.a, power.b, power.c, power.c_prime.
 /// Operations: arctangents: 1, cosines: 3, products: 10, quotients: 7, roots: 1, sines: 3, sums: 8.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) {
   using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+20) && n >= 0 && n <= 1125899906842624) {
@@ -57,7 +58,8 @@ struct TerminalClosed {
 /// Operations: arctangents: 1, ceilings: 2, cosines: 2, products: 7, quotients: 4, roots: 1, sums:
 ///   9.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 TerminalClosed<Number> terminal_closed(const Number& alpha) {
   using std::atan, std::ceil, std::cos, std::sqrt;
   if (alpha >= Number(0x1p-40) && alpha <= Number(0x1p+20)) {
@@ -89,7 +91,8 @@ struct AngleClosed {
 /// angle (def:psi): psi. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: rotation.psi.
 /// Operations: arctangents: 1, products: 2, roots: 1, sums: 1.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 AngleClosed<Number> angle_closed(const Number& alpha) {
   using std::atan, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
@@ -106,7 +109,8 @@ struct MagicClosed {
 /// magic (exact:ak): alpha_. Domain: k from 1 to 1125899906842624.
 /// Theorems: ratios.alpha_k_paper.
 /// Operations: cosines: 1, products: 1, quotients: 2, sums: 2.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 MagicClosed<Number> magic_closed(std::int64_t k) {
   using std::atan, std::cos;
   if (k >= 1 && k <= 1125899906842624) {
@@ -124,7 +128,8 @@ struct DeficientClosed {
 /// deficient (exact:bk): beta_. Domain: k from 1 to 1125899906842624.
 /// Theorems: ratios.beta_k_paper.
 /// Operations: cosines: 1, products: 1, quotients: 2, sums: 2.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 DeficientClosed<Number> deficient_closed(std::int64_t k) {
   using std::atan, std::cos;
   if (k >= 1 && k <= 1125899906842624) {

@@ -16,7 +16,8 @@ namespace magicmass::generated {
 /// Gamma_A (eq:Gamma): Gamma_A. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: ball.Gamma, cycle.Gamma_A.
 /// Operations: products: 1, quotients: 2, roots: 1, sums: 2.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
@@ -33,7 +34,8 @@ std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
 /// Gamma_B (eq:Gamma): Gamma_B. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: ball.Gamma, cycle.Gamma_B.
 /// Operations: products: 1, quotients: 2, roots: 1, sums: 2.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
@@ -50,7 +52,8 @@ std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
 /// Lambda (eq:Lambda): Lambda. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: cycle.Lambda.
 /// Operations: products: 8, quotients: 3, roots: 1, sums: 2.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
@@ -72,7 +75,8 @@ std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
 /// R (def:R): R. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: rotation.R.
 /// Operations: quotients: 6, roots: 3, sums: 1.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
   using std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
@@ -93,7 +97,8 @@ std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
 /// lambda_3 (eq:lambda-3): lambda_3. Domain: x from -0x1p+50 to 0x1p+50.
 /// Theorems: rotation.lambda_3.
 /// Operations: cosines: 1, sines: 1.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> lambda_3(const Number& x) {
   using std::cos, std::sin;
   if (x >= Number(-0x1p+50) && x <= Number(0x1p+50)) {

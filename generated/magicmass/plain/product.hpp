@@ -22,7 +22,8 @@ struct VelocitiesProduct {
 /// Theorems: rotation.psi, power.V_CM, power.a_product, power.b_product, power.c_product,
 ///   power.c_prime_product.
 /// Operations: arctangents: 1, cosines: 2, products: 15, quotients: 5, roots: 1, sines: 3, sums: 5.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n) {
   using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {

@@ -22,7 +22,8 @@ struct AngleRestitution {
 ///   0x1p+0.
 /// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.h_e.
 /// Operations: arctangents: 1, products: 3, quotients: 5, roots: 4, sums: 3.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e) {
   using std::atan, std::sqrt;
@@ -56,7 +57,8 @@ struct CountRestitution {
 /// Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sines: 1, sums:
 ///   8.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_any.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W) {
   using std::atan, std::ceil, std::sin, std::sqrt;
@@ -108,7 +110,8 @@ struct AtRestitution {
 ///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
 ///   bodies.before, bodies.after, bodies.B_at, bodies.A_at, bodies.C_at.
 /// Operations: products: 28, quotients: 14, roots: 3, sines: 4, sums: 21.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const Number&
     d_A, const Number& d_B, const Number& tau, std::int64_t j, const Number& turn, const Number&
@@ -195,7 +198,8 @@ struct TimeRestitution {
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_last_sine,
 ///   bodies.def_now_sine, bodies.def_reach, bodies.moment.
 /// Operations: products: 9, quotients: 5, roots: 3, sines: 3, sums: 5.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const
     Number& d_A, const Number& d_B, std::int64_t j) {
@@ -249,7 +253,8 @@ struct CollapseRestitution {
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.y_e, bodies.end_speed,
 ///   bodies.t_any, bodies.x_any, bodies.v_any.
 /// Operations: products: 16, quotients: 9, roots: 4, sums: 13.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
     M_C, const Number& e, const Number& q_e, const Number& V, const Number& W, const Number& d_A,
     const Number& d_B) {

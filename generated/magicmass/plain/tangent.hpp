@@ -24,7 +24,8 @@ struct VelocitiesTangent {
 ///   evaluators.def_w_sine, evaluators.def_plus, evaluators.def_minus, evaluators.def_along,
 ///   evaluators.a, evaluators.b, evaluators.c, evaluators.c_prime.
 /// Operations: arctangents: 1, cosines: 1, products: 13, quotients: 1, roots: 1, sines: 1, sums: 4.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 VelocitiesTangent<Number> velocities_tangent(const Number& alpha, std::int64_t n) {
   using std::atan, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
@@ -80,7 +81,8 @@ struct TerminalTangent {
 /// Operations: arctangents: 1, ceilings: 2, cosines: 1, products: 12, quotients: 4, roots: 1,
 ///   sines: 1, sums: 7.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   using std::abs, std::atan, std::ceil, std::cos, std::sin, std::sqrt;
   if (alpha >= Number(0x1p-100) && alpha <= Number(0x1p+100)) {
@@ -135,7 +137,8 @@ struct AngleTangent {
 /// Theorems: evaluators.def_above, evaluators.def_w, evaluators.def_t, evaluators.def_half_h,
 ///   evaluators.psi.
 /// Operations: arctangents: 1, products: 3, quotients: 1, roots: 1, sums: 1.
-template <class Number> requires(!std::integral<Number>)  // 1.0, not 1
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 AngleTangent<Number> angle_tangent(const Number& alpha) {
   using std::atan, std::sqrt;
   if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {

@@ -36,6 +36,12 @@ std::array<cl_RA, 4> after(const cl_RA& alpha, std::int64_t n) {
 }
 double near(const cl_RA& x) { return cln::double_approx(x); }
 template <class Number>
+concept Taken = requires(Number x) {
+  velocities_tangent(x, 1);
+  velocities_exact(x, 1);
+};
+static_assert(Taken<double> && Taken<long double> && !Taken<float> && !Taken<int>);
+template <class Number>
 void check_near(Number got, const cl_RA& wanted, double off) {
   CHECK_THAT(double(got), WithinAbs(near(wanted), off));
 }
