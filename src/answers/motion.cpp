@@ -46,6 +46,8 @@ double nearest(const Alpha& alpha) { return value_of(alpha).to_double(); }
 std::optional<cl_RA> fraction_of(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return exact(*value);
   const auto* fraction = std::get_if<cl_RA>(&alpha);
+  const auto* at = std::get_if<Threshold>(&alpha);
+  if (at != nullptr && at->is_magic && at->k == 1) return 1;
   return fraction != nullptr ? std::optional(*fraction) : std::nullopt;
 }
 Ball right_side_at(const char* id, const Ball& alpha, const cl_RA& n) {
@@ -101,14 +103,9 @@ Cell rho(const Alpha& alpha, const cl_RA& e) {
 }
 
 std::optional<int> digits_wanted(const Request& request) {
-  constexpr std::int64_t most_digits = 10000;
-  const auto digits = request.whole("digits", 1, INT64_MAX);
-  if (digits.value_or(0) > most_digits)
-    throw Undecided("digits: " + std::to_string(*digits) +
-                    " are more than are given at once; at most " + std::to_string(most_digits));
-  return digits ? std::optional(static_cast<int>(*digits)) : std::nullopt;
+  if (!request.has("digits")) return {};
+  return static_cast<int>(request.size("digits", 1, 10000));
 }
-
 Row rounded(const std::function<Balls()>& values, std::optional<int> digits) {
   const auto cells = [&]() -> std::optional<Row> {
     Row row;

@@ -47,7 +47,7 @@ Balls terminal(const Trio& trio, std::int64_t N);
 /// The terminal rho, the nearest double; missing where the collisions never end.
 Cell rho(const notation::Alpha& alpha, const cln::cl_RA& e);
 
-/// The digits that are asked for. Throws Undecided for more than are given at once.
+/// The digits that are asked for. Throws Undecided for too many.
 std::optional<int> digits_wanted(const Request& request);
 /// Cells with the nearest doubles of what is computed, or with so many significant digits. Throws
 /// Undecided where more bits would be needed than are allowed.

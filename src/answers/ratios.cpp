@@ -74,16 +74,11 @@ std::string text_of(const Polynomial& p) {
 
 Answer ratios(const Request& request) {
   constexpr int rows_at_once = 100;
-  const int count = static_cast<int>(request.whole("count", 1, 1'000'000'000).value_or(10));
   const std::optional<int> digits = digits_wanted(request);
   const bool has_polynomials = request.has("polynomials");
-  const int at_once = has_polynomials ? 200 : 100'000;
-  if (count > at_once) {
-    throw Undecided("ratios: " + std::to_string(count) +
-                    " rows are more than are answered at once; "
-                    "at most --count " +
-                    std::to_string(at_once) + (has_polynomials ? " with polynomials" : ""));
-  }
+  const std::string of = has_polynomials ? " with polynomials" : "";
+  const std::int64_t most = has_polynomials ? 200 : 100'000;
+  const int count = request.has("count") ? int(request.size("count", 1, most, of)) : 10;
   Names columns{"k", "magic", "deficient", "magic_radicals", "deficient_radicals"};
   if (has_polynomials) columns.insert(columns.end(), {"magic_polynomial", "deficient_polynomial"});
   const auto rows_from = [=](int first) {

@@ -26,6 +26,17 @@ std::optional<std::int64_t> Request::whole(const std::string& option, std::int64
                      std::to_string(most) + ", got " + shown_text(text(option)));
 }
 
+std::int64_t Request::size(const std::string& option, std::int64_t least, std::int64_t most,
+                           const std::string& of) const {
+  const std::string typed = text(option);
+  const bool is_whole = !typed.empty() && typed.find_first_not_of("0123456789") == typed.npos;
+  const auto value = read_whole(typed);
+  if (is_whole && (!value || *value > most))
+    throw Undecided(option + ": " + shown_text(typed) + " is more than is answered at once" + of +
+                    "; at most " + std::to_string(most));
+  return *whole(option, least, most);
+}
+
 Request Rows::request(std::size_t row) const {
   Request all = shared;
   for (std::size_t i = 0; i < columns.size(); ++i) all.options[columns[i]] = fields[row][i];

@@ -29,6 +29,9 @@ struct Request {
   /// Throws InvalidInput for anything else.
   std::optional<std::int64_t> whole(const std::string& option, std::int64_t least,
                                     std::int64_t most) const;
+  /// The same of an option that was given; throws Undecided for a larger one.
+  std::int64_t size(const std::string& option, std::int64_t least, std::int64_t most,
+                    const std::string& of = "") const;
 };
 
 /// Requests that differ in some options: fields[row] has theirs, in the order of `columns`.

@@ -50,7 +50,7 @@ struct Asked {
     const auto fraction = fraction_of(alpha);
     if (!fraction && wants_fractions)
       throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
-                         " are no fractions; add --digits D");
+                         " need not be fractions; add --digits D");
     const std::size_t length = Quadratic(fraction.value_or(0)).bits();
     const cln::cl_I bits = steps * static_cast<long long>(2 * length + others);
     if (!fraction || (!wants_fractions && bits > 1 << 14)) return rounded(balls, digits);
@@ -108,7 +108,8 @@ Answer eval(const Request& request) {
   const Asked in(request);
   const cln::cl_I N_A = count_collisions(in.alpha).N_A;
   const bool fits = cln::integer_length(N_A) < 64;
-  const std::int64_t n = *request.whole("n", 0, fits ? cln::cl_I_to_long(N_A) : INT64_MAX);
+  const std::int64_t n =
+      fits ? *request.whole("n", 0, cln::cl_I_to_long(N_A)) : request.size("n", 0, INT64_MAX);
   const auto exactly = [&](const cln::cl_RA& alpha) {
     const auto v = magicmass::generated::velocities_exact(alpha, n);
     return std::vector{v.a, v.b, v.c, v.c_prime};
