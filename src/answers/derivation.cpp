@@ -16,9 +16,18 @@ using kernel::Theorem;
 using render::Section;
 using render::Step;
 
+/// Whether one holds wherever the other does: a definition may be shown under more hypotheses.
+bool is_same_case(const kernel::Exprs& one, const kernel::Exprs& other) {
+  const auto is_within = [](const kernel::Exprs& some, const kernel::Exprs& all) {
+    return std::ranges::all_of(some,
+                               [&](kernel::Expr h) { return std::ranges::count(all, h) > 0; });
+  };
+  return is_within(one, other) || is_within(other, one);
+}
+
 /// A step's premises are other steps before it, in the book's order.
 std::vector<Section> sections_of(const derivation::Book& book) {
-  std::map<kernel::Expr, std::size_t> places;  // a definition may be shown under more hypotheses
+  std::multimap<kernel::Expr, std::size_t> places;
   kernel::Theorems theorems;
   std::vector<std::string> ids;
   for (const Chapter& chapter : book.chapters())
@@ -44,8 +53,12 @@ std::vector<Section> sections_of(const derivation::Book& book) {
         open.pop_back();
         for (const Theorem& t : proofs.at(next).step().premises) {
           if (t.step().rule == "assume" || !seen.insert(coq::sequent_of(t)).second) continue;
-          const auto shown = places.find(t.conclusion());
-          if (shown != places.end() && shown->second < k)  // what is shown later is another one
+          const auto [first, last] = places.equal_range(t.conclusion());
+          const auto shown = std::find_if(first, last, [&](const auto& place) {
+            return place.second < k &&  // what is shown later is another one
+                   is_same_case(theorems[place.second].hypotheses(), t.hypotheses());
+          });
+          if (shown != last)
             premises.insert(shown->second);
           else
             open.push_back(t);
