@@ -16,18 +16,24 @@ struct Asked {
   Result result;
 };
 
+/// A part of a command, which names it where it cannot go on.
+template <class Part>
+auto part_of(const std::string& command, const Part& part) try {
+  return part();
+} catch (const Undecided& error) {
+  throw Undecided(command + ": " + error.what());
+}
+
 Asked asked(const Request& request, const std::string& command) {
   if (request.words.size() != 1)
     throw InvalidInput(command + ": give one scene, a file; example: " + command + " wall.toml");
-  try {
+  return part_of(command, [&]() -> Asked {
     Scene scene = read_scene(request.words.front());
     scene.is_exact = request.has("exact");
     if (const auto most = request.whole("max-events", 0, INT64_MAX)) scene.max_events = most;
     Result result = run(scene);
     return {std::move(scene), std::move(result)};
-  } catch (const Undecided& error) {
-    throw Undecided(command + ": " + error.what());
-  }
+  });
 }
 
 /// A double, or an exact number where those are asked for.
@@ -37,7 +43,7 @@ Cell number_cell(const Number& number, bool exact) {
   const auto rounded = double_of(number);
   if (!rounded)
     throw Undecided(
-        "simulate: a number of the answer does not fit a double; possible: --exact, "
+        "a number of the answer does not fit a double; possible: --exact, "
         "other units of V and L, or fewer outputs");
   return real_cell(*rounded);
 }
@@ -204,7 +210,9 @@ Answer simulate(const Request& request) {
     answer.note += (answer.note.empty() ? "simulate: " : "; ") + request.format +
                    " lists events alone; the trajectory is in text and json, or where no events "
                    "are asked for";
-  answer.stream = [scene, format](const Write& write) { write_all(scene, format, write); };
+  answer.stream = [scene, format](const Write& write) {
+    part_of("simulate", [&] { write_all(scene, format, write); });
+  };
   return answer;
 }
 

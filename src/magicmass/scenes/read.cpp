@@ -199,8 +199,8 @@ void check_together(const Scene& scene) {
     for (const char* const wall : {"left_wall", "right_wall"}) exclude("L", wall);
   if (scene.has("blocks") && !scene.has("balls") && scene.masses.size() > 1)
     refuse_key(scene, "blocks", "without balls", "both");
-  if (scene.has("every") &&
-      (scene.has("times") || !(scene.wants("events") || scene.wants("trajectory"))))
+  if (scene.has("every") && !scene.wants("events") &&
+      (scene.has("times") || !scene.wants("trajectory")))
     refuse_key(scene, "every", "there is nothing to leave out",
                "with the output events, or with trajectory but no times");
   const std::size_t bodies = scene.kind == Kind::three_body ? 3 : 2;

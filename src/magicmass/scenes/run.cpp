@@ -153,29 +153,33 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
 
 /// Without all collisions before them.
 void follow_by_theorem(const Scene& scene, const Result& result, const Points& sink) {
-  const auto all_at = [&](const Value& at) {
-    std::size_t body = 0;
-    for (const double place : places_by_theorem(scene, result.events, at))
-      sink({at.to_double(), body++, place});
+  const auto show = [&](double time, const std::vector<double>& places) {
+    for (std::size_t body = 0; body < places.size(); ++body) sink({time, body, places[body]});
+  };
+  const bool is_collapse = result.status == Status::collapse;
+  const auto end = is_collapse ? std::nullopt : result.known_until;
+  const auto most = is_collapse ? std::nullopt : std::optional(result.events);
+  const auto show_at = [&](const Value& time) {
+    show(time.to_double(), places_by_theorem(scene, most, time));
   };
   std::vector<Value> times = scene.times;
   std::ranges::stable_sort(times, {}, &Value::to_double);
-  const auto end = result.known_until;
-  for (const Value& at : times) {
-    if (end && at.to_double() > std::get<double>(*end)) return;
-    all_at(at);
+  for (const Value& time : times) {
+    if (end && time.to_double() > std::get<double>(*end)) return;
+    show_at(time);
   }
   if (!times.empty()) return;
-  all_at(value_of(0));
+  const std::vector<double> first = line_of<double>(scene).positions;
+  show(0, first);
   stream_by_theorem(scene, scene.every, [&](const Row& row) {
     for (const std::size_t body : {row.gap - 1, row.gap})
-      if (body < scene.masses.size()) sink({row.time, body, row.position});
+      if (body < first.size()) sink({row.time, body, row.position});
   });
-  Number last = end.value_or(0.0);
-  if (!end)
-    stream_by_theorem(scene, std::max<std::int64_t>(result.events, 1),
-                      [&](const Row& row) { last = row.time; });
-  all_at(value_of(std::get<double>(last)));
+  if (end) return show_at(value_of(std::get<double>(*end)));
+  if (result.events == 0) return show(0, first);
+  stream_by_theorem(scene, result.events, [&](const Row& row) {
+    show(std::get<double>(row.time), last_places_by_theorem(scene, result.events));
+  });
 }
 
 }  // namespace
@@ -213,7 +217,12 @@ Result run(const Scene& scene) {
       throw Undecided(std::to_string(solved->events) + " collisions by theorem, but " +
                       error.what() + ", or without --exact");
     }
-  Result result = motion<double>(scene, limit);
+  Result result;
+  try {
+    result = motion<double>(scene, limit);
+  } catch (const Undecided& error) {
+    throw Undecided(error.what() + std::string(has_exact ? "; --exact may do" : ""));
+  }
   result.plan = {"events", false, "no decision is closer than doubles can tell"};
   if (!result.is_undecided) return result;
   result.plan.reason = close + "; the scene has no exact numbers";
@@ -240,7 +249,8 @@ void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t
 void trajectory(const Scene& scene, const Result& result, const Points& sink) {
   if (result.plan.is_exact)
     follow<Quadratic>(scene, result, sink);
-  else if (result.plan.model != "events" && result.status != Status::collapse)
+  else if (result.plan.model != "events" &&
+           (result.status != Status::collapse || !scene.times.empty()))
     follow_by_theorem(scene, result, sink);
   else
     follow<double>(scene, result, sink);

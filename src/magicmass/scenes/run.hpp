@@ -89,7 +89,11 @@ std::optional<Result> by_theorem(const Scene& scene);
 /// Every so many of its collisions; of a collapse at least the first three, and more while doubles
 /// can tell their times apart.
 void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink);
-/// Where its bodies are at a time, which is after so many collisions at most.
-std::vector<double> places_by_theorem(const Scene& scene, std::int64_t most, const Value& time);
+/// Where its bodies are at a time, which is after so many collisions at most; nothing: a collapse,
+/// after which all go on together.
+std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int64_t> most,
+                                      const Value& time);
+/// The same at the last of so many collisions, which are not 0.
+std::vector<double> last_places_by_theorem(const Scene& scene, std::int64_t collisions);
 
 }  // namespace magicmass::scenes

@@ -35,7 +35,8 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
   return {};
 }
 std::vector<double> certain(const Balls& balls) {
-  return with_bits(17, [&] { return rounded(balls); });
+  return with_bits(
+      17, [&] { return rounded(balls); }, " to round the numbers of the answer");
 }
 /// How many of the first `most` are by a time, which come one after the other.
 template <class IsBy>
@@ -48,18 +49,19 @@ std::int64_t count_of(std::int64_t most, const IsBy& is_by) {
   return count;
 }
 
+/// Whether collision j comes by this time.
+bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
+  const auto exact = trios.exact_time(j);
+  if (exact && time.exact() != nullptr) try {
+      return !(*time.exact() < *exact);
+    } catch (const std::domain_error&) {  // of two fields, so not equal
+    }
+  return trios.collision(j).time <= ball_of(time);
+}
 /// How many of the first `most` come by this time.
 std::int64_t count_until(const Trios& trios, const Value& time, std::int64_t most) {
   const auto counted = [&] {
-    const Ball until = ball_of(time);
-    return count_of(most, [&](std::int64_t j) {
-      const auto exact = trios.exact_time(j);
-      if (exact && time.exact() != nullptr) try {
-          return !(*time.exact() < *exact);
-        } catch (const std::domain_error&) {  // of two fields, so not equal
-        }
-      return trios.collision(j).time <= until;
-    });
+    return count_of(most, [&](std::int64_t j) { return is_by(trios, j, time); });
   };
   return with_bits(17, counted, " to tell whether a collision comes by the time " + time.text);
 }
@@ -176,16 +178,30 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
   }
 }
 
+std::vector<double> last_places_by_theorem(const Scene& scene, std::int64_t collisions) {
+  const Trios trios = *Trios::of(scene);
+  return certain([&] { return trios.places(trios.collision(collisions - 1).time, collisions); });
+}
+
 /// Where the time may be that of a collision, the ways before and after it have the same doubles.
-std::vector<double> places_by_theorem(const Scene& scene, std::int64_t most, const Value& time) {
+std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int64_t> most,
+                                      const Value& time) {
   const Trios trios = *Trios::of(scene);
   const auto told = [&]() -> std::optional<std::vector<double>> {
     const Ball at = ball_of(time);
+    if (!most) {
+      const Trio::Collision end = trios.collapse();
+      const Ball since = at - end.time;
+      const bool is_tie = since.low() <= 0 && 0 <= since.high() && Ball::bits() > 1500;
+      if (is_tie || since >= 0)
+        return rounded(
+            [&] { return std::vector(trios.bodies(), end.position + end.v_left * since); });
+    }
     int open = 0;
     const auto after = [&](bool if_open) {
-      const std::int64_t N = count_of(most, [&](std::int64_t j) {
+      const std::int64_t N = count_of(most.value_or(INT64_MAX / 4), [&](std::int64_t j) {
         try {
-          return trios.collision(j).time <= at;
+          return is_by(trios, j, time);
         } catch (const NotCertain&) {
           ++open;
           return if_open;

@@ -203,7 +203,8 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
   const auto met = quotient(from_.d_A, from_.V), later = quotient(from_.d_B, from_.V);
-  if (j == 0) return met;
+  const bool is_at_once = from_.d_B.is(0) && (is_at_rest() || from_.d_A.is(0));
+  if (j == 0 || is_at_once) return met;
   // L/V sin(jh)/sin((j+1)h) later, (2j+1)h = pi
   if (met && later && at_threshold_ && *at_threshold_ == 2 * j) return *met + *later;
   return {};
@@ -215,8 +216,11 @@ Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
     return in_scene(0, first.time, first.place, seen(s, 1));
   }
   const auto [V, W, d_A, d_B] = start();
+  const auto exact = exact_time(j);
   const Ball moment =
-      value_of_form(generated::time_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B, j).moment;
+      exact ? ball_of(*exact)
+            : value_of_form(generated::time_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B, j)
+                  .moment;
   return in_scene(j, moment, places_seen(s, {V, W, d_A, d_B}, moment, j + 1)[1], seen(s, j + 1));
 }
 std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N) const {

@@ -70,7 +70,8 @@ double Value::to_double() const {
     return at->is_magic ? both.magic : both.deficient;
   }
   if (const auto value = exact()->to_double()) return *value;
-  throw Undecided(text.substr(0, 60) + " does not fit a double; --exact may do");
+  throw Undecided((text.empty() ? "a place" : text.substr(0, 60)) +
+                  " does not fit a normal double");
 }
 
 Ball ball_of(const Value& value) {

@@ -83,7 +83,7 @@ TEST_CASE("values are kept as what they are, what is none is refused", "[exam]")
     CHECK(value.to_double() == std::stod(row[2]));
   }
   CHECK(read_value("magic:3").exact() == nullptr);
-  const std::string says = " does not fit a double; --exact may do";
+  const std::string says = " does not fit a normal double";
   for (const std::string text : {"10^400", "1/10^400"})
     CHECK_THROWS_WITH(read_value(text).to_double(), text + says);
   CHECK_NOTHROW(read_value("1/7 "));
