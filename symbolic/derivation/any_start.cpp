@@ -4,7 +4,6 @@
 
 namespace derivation {
 namespace {
-Expr swing(Expr i) { return V * U(i) + W * r_e() * U_last(i); }
 void closed_form(Book& book, const Theorem& r_e_is) {
   const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
   const Theorems turns = parts({book["cycle.turn"]});
@@ -113,10 +112,26 @@ void line(Book& book) {
   for (const Theorem& is : {speed_is, at(speed_is, {{j, j + 1}})}) facts = facts + twice(is);
   for (const Theorem& is : with("A_B")) facts.push_back(solved_for(left(is).arg(0), is));
   know(at(book["wedge.signs"], {{j, j + 1}}));
-  book.show(
-      "apart", "The blocks are then so far apart:",
-      equation(B - A, root_power(j + 1) * side(j + 1) * r_e() * (V * d_B - W * d_A) / swing(j),
-               goes_on + facts));
+  const Expr in_order = V * d_B - W * d_A;
+  const Theorem apart =
+      book.show("apart", "The blocks are then so far apart:",
+                equation(B - A, root_power(j + 1) * side(j + 1) * r_e() * in_order / swing(j),
+                         goes_on + facts));
+  const Theorem next_going = assume(lt(0, nearing(j + 1))), ordered = assume(le(0, in_order));
+  know(next_going);
+  const Expr wait = substitute(T, {{j, j + 1}}) - T;
+  const Theorem met = book["any_start.met"];
+  Theorems here_and_next = goes_on + Theorems{at(meets, {{j, j + 1}})};
+  for (const Theorem& t : with("closing")) here_and_next.push_back(at(t, {{j, j + 1}}));
+  for (const Theorem& is : lines) here_and_next.push_back(at(is, {{j, j + 1}, {tau, T}}));
+  here_and_next.push_back(at(part(book["cycle.turn"], 1)));
+  const Theorem waited = equation(wait * nearing(j + 1), B - A - left(met), here_and_next);
+  const Theorem wait_is = divided(wait, (B - A) / nearing(j + 1), {nearing(j + 1)},
+                                  linear(eq(wait * nearing(j + 1), B - A), {waited, met}));
+  const Theorem gap = times(ordered, root_power(j + 1) * side(j + 1) * r_e() / swing(j));
+  book.show("later", "so that where A meets the ball first collisions come one after the other:",
+            linear(le(0, wait),
+                   {wait_is, times(linear(le(0, B - A), {apart, gap}), 1 / nearing(j + 1))}));
 }
 /// Where kappa is 1 or more, and B does not run away too fast.
 void collapse_from_any_start(Book& book) {
@@ -176,9 +191,17 @@ void collapse_from_any_start(Book& book) {
   shown("come_together", "and the blocks come arbitrarily close to each other,",
         linear(le((j + 1) * r * D, bound), {times(rises, is_near), weighed}));
   const auto centre = [&](Expr A, Expr C) { return w_B * (M_A * A + M_C * C) / mass_of_all(); };
-  name("x_any", centre((V + W) * left(time) - d_A - d_B, W * left(time) - d_B),
-       "with the ball between them: at the centre of mass, or at the wall,");
-  book.define("v_any", any_start(), centre(V + W, W), of_wedge({}), "which moves with");
+  const Theorem x_is = name("x_any", centre((V + W) * left(time) - d_A - d_B, W * left(time) - d_B),
+                            "with the ball between them: at the centre of mass, or at the wall,");
+  const Theorem v_is =
+      book.define("v_any", any_start(), centre(V + W, W), of_wedge({}), "which moves with");
+  const Theorem kept = solved_for(any_velocity("B", j), book["any_start.momentum"]);
+  const Theorems places = parts({book["any_start.linear"]});
+  const Expr x_A = left(places[0]), x_B = left(places[1]), x_C = left(places[2]);
+  const Expr moved = left(x_is) + left(v_is) * (tau - left(time));
+  book.show("centre", "evenly, all the time:",
+            under(ending, equation(w_B * (M_A * x_A + M_C * x_C) + x_B, mass_of_all() * moved,
+                                   places + Theorems{x_is, v_is, kept, of_distances(kept)})));
 }
 }  // namespace
 

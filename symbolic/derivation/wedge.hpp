@@ -52,6 +52,8 @@ inline Expr U_last(Expr i) { return fun("U_last", {kappa(), i}); }
 inline Expr r_A() { return fun("r_A", {M_A, M_C}); }
 inline Expr r_B() { return fun("r_B", {w_B, M_C}); }
 inline Expr r_e() { return fun("r_e", masses_and_e()); }
+/// The approach speed before collision i, but for positive factors.
+inline Expr swing(Expr i) { return V * U(i) + W * r_e() * U_last(i); }
 /// 1 for P, r_A/r_B for Q.
 inline Expr side(Expr i) { return is_P(i) + is_Q(i) * (r_A() / r_B()); }
 /// time, x_A, x_B, x_C at collision i.
