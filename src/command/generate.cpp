@@ -37,7 +37,8 @@ Names needed(const std::string& file) {
         "rest beside the ball C, A on its way to them, restitution 1");
   }
   for (const char* const key : {"until", "max_events", "every"})
-    if (scene.has(key)) refuse_key(scene, key, "evaluators are of all collisions", "scenes without");
+    if (scene.has(key))
+      refuse_key(scene, key, "evaluators are of all collisions", "scenes without");
   Names names;
   for (const std::string& output : scene.outputs) {
     const auto found = all.find(output);

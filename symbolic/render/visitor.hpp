@@ -20,8 +20,7 @@ struct Name {
 inline const std::map<std::string, std::string> greek{
     {"lambda", "λ"}, {"Lambda", "Λ"}, {"Gamma", "Γ"}, {"alpha", "α"},
     {"theta", "θ"},  {"kappa", "κ"},  {"delta", "δ"}, {"beta", "β"},
-    {"psi", "ψ"},    {"pi", "π"},     {"rho", "ρ"},
-    {"tau", "τ"}};
+    {"psi", "ψ"},    {"pi", "π"},     {"rho", "ρ"},   {"tau", "τ"}};
 
 using kernel::Expr;
 using kernel::Exprs;

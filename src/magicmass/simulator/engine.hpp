@@ -137,12 +137,12 @@ public:
   const Ties& ties() const { return ties_; }
   /// Of what was told so far, if no decision was near.
   const Errors<Scalar>& errors() const { return margin_.errors(); }
-  /// Whether floating point lost a rebound (two met and, as rounded, did not separate), or holds no
-  /// time at which two meet that approach. No next collision then says nothing about the motion.
+  /// Whether floating point holds no time at which two meet that approach. No next collision then
+  /// says nothing about the motion.
   bool has_lost() const {
     for (std::size_t gap = 0; gap + 1 < all_.size(); ++gap)
       if (closes(gap) && Scalar(0) < sides(gap).closing() && !due_[gap]) return true;
-    return lost_rebound_;
+    return false;
   }
 
 private:
@@ -157,7 +157,6 @@ private:
   Scalar now_{0};
   std::int64_t number_ = 0;
   Ties ties_;
-  bool lost_rebound_ = false;
   std::vector<std::size_t> together_;          // gaps that close now
   std::vector<Collision<Scalar>> collisions_;  // of now, of which told_ were told
   std::size_t told_ = 0;
@@ -251,9 +250,6 @@ private:
     all_[i] = {{all_[i].mass, where, all_[i].velocity}, now_, true};
   }
   void tell(std::size_t gap) {
-    if constexpr (rounds)
-      lost_rebound_ =
-          lost_rebound_ || !(sides(gap).closing() <= -std::numeric_limits<Scalar>::min());
     collisions_.push_back(
         {++number_, gap, now_, all_[gap].position, all_[gap].velocity, all_[gap + 1].velocity});
   }

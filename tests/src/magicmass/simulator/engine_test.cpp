@@ -166,6 +166,9 @@ TEST_CASE("100,000 equal masses hand the velocity on in order", "[exam]") {
   CHECK(engine.ties().near == 0);
   CHECK_FALSE(engine.has_lost());
   CHECK(engine.bodies().back().velocity == 1);
+  Engine<double> slow(Line<double>{{1, 1}, {0, 1e300}, {5e-324, 0}, {}, {}});
+  CHECK_FALSE(slow.next());
+  CHECK(slow.has_lost());
 }
 
 TEST_CASE("near ties are told at thresholds and not away from them", "[exam]") {
