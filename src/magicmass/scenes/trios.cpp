@@ -82,7 +82,7 @@ std::optional<Trios> Trios::off_wall(const std::vector<Value>& masses,
   const Quadratic wall = *line.right_wall, e = line.restitution, none(0);
   const Quadratic W = line.velocities[1], V = line.velocities[0] - W;
   const Quadratic d_A = line.positions[1] - line.positions[0], d_B = wall - line.positions[1];
-  if (!(none < W) || !(V * d_B < W * d_A)) return {};
+  if (!(none < W) || (none < V && !(V * d_B < W * d_A))) return {};
   const Quadratic faster = V + W + e * W;
   if (!(none < faster)) return {};
   const auto trio = Trio::of({.masses = masses,
