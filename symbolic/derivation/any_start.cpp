@@ -71,7 +71,7 @@ void line(Book& book) {
   Theorems lines;
   for (const std::string body : {"A", "B", "C"}) {
     const Expr v = any_velocity(body, j);
-    lines.push_back(defined("any_x_" + body, with_distances + Exprs{tau, j},
+    lines.push_back(defined("place_" + body, with_distances + Exprs{tau, j},
                             tau * v - by_distances(v), of_wedge({le(0, j)})));
   }
   book.show("linear",
@@ -119,7 +119,7 @@ void line(Book& book) {
                          goes_on + facts));
   const Theorem next_going = assume(lt(0, nearing(j + 1))), ordered = assume(le(0, in_order));
   know(next_going);
-  const Expr wait = substitute(T, {{j, j + 1}}) - T;
+  const Expr next_T = substitute(T, {{j, j + 1}}), wait = next_T - T;
   const Theorem met = book["any_start.met"];
   Theorems here_and_next = goes_on + Theorems{at(meets, {{j, j + 1}})};
   for (const Theorem& t : with("closing")) here_and_next.push_back(at(t, {{j, j + 1}}));
@@ -130,7 +130,7 @@ void line(Book& book) {
                                   linear(eq(wait * nearing(j + 1), B - A), {waited, met}));
   const Theorem gap = times(ordered, root_power(j + 1) * side(j + 1) * r_e() / swing(j));
   book.show("later", "so that where A meets the ball first collisions come one after the other:",
-            linear(le(0, wait),
+            linear(le(T, next_T),
                    {wait_is, times(linear(le(0, B - A), {apart, gap}), 1 / nearing(j + 1))}));
 }
 /// Where kappa is 1 or more, and B does not run away too fast.

@@ -26,7 +26,7 @@ void until_the_next(Book& book) {
   };
   Theorems named{turned(time)}, places;
   for (const std::string body : {"A", "B", "C"}) {
-    const Expr on_line = fun("any_x_" + body, at_rest() + Exprs{0, 0, L, left(time), j});
+    const Expr on_line = fun("place_" + body, at_rest() + Exprs{0, 0, L, left(time), j});
     const Theorem place =
         book.define("x_" + body, params, L + on_line, assumptions, "with " + body + " at");
     places.push_back(place);

@@ -191,7 +191,7 @@ cl_R function(const std::string& f, const Vector& x) {
     return f == "h_e" ? acos(kappa) : kappa - root(kappa * kappa - 1);
   }
   if (f == "N_e" || f == "N_any") return count_of(x, tiny());
-  if (f.starts_with("any_x_")) {
+  if (f.starts_with("place_")) {
     const Trio t = after(x, whole(x[9]));
     const std::size_t body = std::size_t(f[6] - 'A');
     return t.place[body] + t.v[body] * (x[8] - t.time);
@@ -206,7 +206,7 @@ cl_R function(const std::string& f, const Vector& x) {
   if (f.ends_with("_at")) {
     Vector next = x;
     next[9] = x[9] + 1;
-    return function(std::string("any_x_") + f[0], next);
+    return function(std::string("place_") + f[0], next);
   }
   if (f.starts_with("v_")) return trio_at(x).v[std::size_t(f[2] - 'A')];
   if (f.starts_with("x_")) return trio_at(x).place[std::size_t(f[2] - 'A')];
