@@ -78,6 +78,11 @@ bool CsvReader::next_line() {
     const ssize_t size = ::read(file_, buffer_.data() + had, piece);
     buffer_.resize(had + static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
     if (size < 0 && errno == EINTR) continue;
+    if (size < 0 && errno == EAGAIN) {  // a pipe that its other users made non-blocking
+      pollfd empty{file_, POLLIN, 0};
+      ::poll(&empty, 1, -1);
+      continue;
+    }
     if (size < 0) cannot_read();
     if (size == 0) break;
     end = buffer_.find('\n', had);

@@ -69,9 +69,11 @@ check "and all of it arrives" holds from_pipe "$three"
 "$program" many --lines 1000000 | head -n 1 >first
 check "a reader that goes away is not an error" test "${PIPESTATUS[0]}" = 0
 if command -v perl >/dev/null; then
-  unblocked='use Fcntl; fcntl(STDOUT, F_SETFL, O_WRONLY | O_NONBLOCK); exec @ARGV'
+  unblocked='use Fcntl; fcntl(STDOUT, F_SETFL, O_NONBLOCK); exec @ARGV'
   perl -e "$unblocked" "$program" many --lines 100000 | (sleep 0.2 && tail -n 1) >last
   check "a pipe that does not block: all of it arrives" holds last 100000
+  (echo text; sleep 0.3; echo first) | perl -e "${unblocked//STDOUT/STDIN}" "$program" echo --input - --format csv >rows || true
+  check "and so it does from one" holds rows $'text,times\nfirst,'
 fi
 coproc "$program" echo --input - --format csv
 echoing=$COPROC_PID  # the shell forgets it as soon as that ends
