@@ -11,8 +11,9 @@
 
 /// Each result is the double nearest to the exact value, zeros and thresholds included; counts are
 /// exact. Throws Undecided if thousands of bits do not settle a rounding: never seen.
-/// All functions are thread-safe; an alpha that is not positive and finite is InvalidInput. Single
-/// calls rely on rounding to nearest and on subnormal numbers; array calls throw NotIeee else.
+/// All functions are thread-safe; an alpha that is not positive and finite is InvalidInput. Where
+/// a thread does not round to nearest or loses subnormal numbers, array calls throw NotIeee; single
+/// calls rely on both, and throw NotIeee in debug builds of the library alone.
 namespace magicmass::accurate {
 /// a_n, b_n, c_n, c'_n, unit V, for any double alpha > 0 and n from 0 to N_A (n = 0: 1, 0, 0, 0),
 /// else throws InvalidInput. b_n and c'_n at n = N_A > N_B belong to a collision that does not take

@@ -6,7 +6,6 @@
 #include <limits>
 #include <tuple>
 
-#include "magicmass/arithmetic/ieee.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
 #include "magicmass/numbers/fast.hpp"
@@ -17,12 +16,6 @@ namespace numbers {
 namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-void check_arithmetic() {
-  if (arithmetic::arithmetic_is_ieee()) return;
-  const volatile double smallest = std::numeric_limits<double>::min();
-  throw NotIeee(smallest / 2 == 0 ? "this thread flushes subnormal numbers to zero"
-                                  : "this thread does not round to nearest");
-}
 void check_size(const char* name, std::size_t rows, std::size_t size) {
   if (rows == size) return;
   throw InvalidInput(std::string(name) + " has " + std::to_string(rows) + " rows, alpha has " +
@@ -34,7 +27,10 @@ struct Column {
   std::uintptr_t begin, end;
   template <class T>
   Column(const char* of, std::span<T> c)
-      : name(of), rows(c.size()), begin(std::uintptr_t(c.data())), end(begin + c.size_bytes()) {}
+      : name(of),
+        rows(c.size()),
+        begin(c.empty() ? 0 : std::uintptr_t(c.data())),  // an empty one is nowhere
+        end(begin + c.size_bytes()) {}
 };
 /// Alpha first. Rows that are left open are read again: by then they would be written over.
 void check_columns(std::initializer_list<Column> columns) {

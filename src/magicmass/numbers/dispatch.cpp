@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which of the compiled tables this processor can run.
 
+#include <limits>
+
+#include "magicmass/arithmetic/ieee.hpp"
 #include "magicmass/arithmetic/simd.hpp"
+#include "magicmass/numbers/errors.hpp"
 #include "magicmass/numbers/kernels.hpp"
 
 namespace magicmass::numbers {
@@ -34,7 +38,16 @@ const Kernels* kernels_named(const char* name) {
   }
   return nullptr;
 }
+void check_arithmetic() {
+  if (arithmetic::arithmetic_is_ieee()) return;
+  const volatile double smallest = std::numeric_limits<double>::min();
+  throw NotIeee(smallest / 2 == 0 ? "this thread flushes subnormal numbers to zero"
+                                  : "this thread does not round to nearest");
+}
 const Kernels& kernels() {
+#ifndef NDEBUG
+  check_arithmetic();  // of single numbers, too: each takes its kernel here
+#endif
   static const Kernels& chosen = []() -> const Kernels& {
     const Target* t = targets;
     while (!t->runs()) ++t;

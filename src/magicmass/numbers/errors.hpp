@@ -16,7 +16,8 @@ struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 /// This thread does not round to nearest, or flushes subnormal numbers to zero (a program linked
-/// with -Ofast does): array calls refuse, since results would be wrong in silence.
+/// with -Ofast does): array calls refuse, and single ones in debug builds of the library, since
+/// results would be wrong in silence.
 struct NotIeee : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

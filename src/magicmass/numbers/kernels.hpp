@@ -55,7 +55,9 @@ struct Kernels {
   std::size_t (*velocity_rows[2])(std::size_t size, const VelocityRows& rows, Open& open);
   std::size_t (*terminal_rows[2])(std::size_t size, const TerminalRows& rows, Open& open);
 };
-/// The best table that this processor can run.
+/// Throws NotIeee where this thread does not round to nearest, or loses subnormal numbers.
+void check_arithmetic();
+/// The best table that this processor can run. In debug builds: after check_arithmetic().
 const Kernels& kernels();
 /// Tables by name, for tests: null where the processor cannot run them.
 const Kernels* kernels_named(const char* name);

@@ -115,6 +115,7 @@ TEST_CASE(
   CHECK_THROWS_WITH(count_collisions(alpha, counts, counts), "N_B overlaps N_A");
   const std::span<double> last = std::span(out).last(20), first = std::span(out).first(20);
   CHECK_NOTHROW(fast::velocities(last, std::span(n).first(20), {.a = first}));
+  CHECK_NOTHROW(accurate::velocities(alpha, n, {.a = out, .b = first.subspan(1, 0)}));
 }
 /// In roundings that are not to nearest, and where subnormals are flushed to zero.
 void check_refused(const std::function<void()>& call) {
@@ -142,5 +143,12 @@ TEST_CASE("array calls refuse another rounding mode or lost subnormal numbers, a
   for (const Calls& tier : tiers) {
     check_refused([&] { tier.velocity_rows(t.alpha, t.n, t.velocities()); });
     check_refused([&] { tier.terminal_rows(t.alpha, t.terminal()); });
+#ifndef NDEBUG
+    check_refused([&] { tier.velocities(0.1, 2); });
+    check_refused([&] { tier.terminal(0.1); });
+    check_refused([&] { tier.collision(0.1, 2); });
+    check_refused([&] { tier.angle(0.1); });
+    check_refused([&] { tier.ratios(1); });
+#endif
   }
 }

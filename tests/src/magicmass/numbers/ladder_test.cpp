@@ -5,6 +5,7 @@
 #include <mpfr.h>
 
 #include "catch.hpp"
+#include "magicmass/numbers/until_certain.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
 #include "src/magicmass/numbers/tiers.hpp"
@@ -12,6 +13,16 @@
 using namespace magicmass;
 using namespace magicmass::testing;
 
+TEST_CASE("what the last precision leaves open is Undecided, and says how many bits that was") {
+  std::vector<long> tried;
+  const auto never_certain = [&] {
+    tried.push_back(numbers::MpfrFloat::bits);
+    return 1.0;
+  };
+  CHECK_THROWS_WITH(numbers::until_certain("nothing", 0.5, false, never_certain),
+                    "nothing at 0.5: still open at " + std::to_string(tried.back()) + " bits");
+  CHECK(tried == std::vector<long>{182, 364, 728, 1456, 2912, 5824, 8192});
+}
 TEST_CASE("a thread that narrowed MPFR's exponents gets the same, and keeps them and its flags") {
   const double alpha = 1e300;
   const Velocities v = accurate::velocities(alpha, 1);
