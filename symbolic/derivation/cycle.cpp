@@ -196,10 +196,11 @@ void cycle_matrix(Book& book) {
       equation(V_vector(n), times(Lambda(), V_vector(n - 1)), vectors + steps + all_rules));
   book.show("Lambda_orthogonal", "Lambda is orthogonal,",
             equation(times(Lambda(), transpose(Lambda())), identity(3), all_rules));
-  for (const auto& [name, matrix_term, value] : {std::tuple{"Gamma_A_determinant", Gamma_A(), -1},
-                                                 std::tuple{"Gamma_B_determinant", Gamma_B(), -1},
-                                                 std::tuple{"Lambda_determinant", Lambda(), 1}})
-    book.show(name, "its determinant:", equation(det(matrix_term), value, all_rules));
+  for (const auto& [name, words, matrix_term, value] :
+       {std::tuple{"Gamma_A_determinant", "the determinant of A's collision:", Gamma_A(), -1},
+        std::tuple{"Gamma_B_determinant", "the determinant of B's collision:", Gamma_B(), -1},
+        std::tuple{"Lambda_determinant", "the determinant of the whole cycle:", Lambda(), 1}})
+    book.show(name, words, equation(det(matrix_term), value, all_rules));
   book.show("V_squared", "eq:V2", "so the length of V_n is kept:",
             equation(times(transpose(V_vector(n)), V_vector(n)),
                      times(transpose(V_vector(n - 1)), V_vector(n - 1)), {recurrence, of_cycle}));

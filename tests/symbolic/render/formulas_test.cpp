@@ -18,3 +18,7 @@ TEST_CASE("LaTeX and MathML of terms and formulas") {
     if (!row[2].empty()) CHECK(render::mathml(formula, false) == "<math>" + row[2] + "</math>");
   }
 }
+TEST_CASE("signs of LaTeX's own in words are escaped") {
+  CHECK_THAT(render::latex_page({{"50% of a_b & #1^2", {}, {}}}),
+             ContainsSubstring(R"(\section{50\% of a\_b \& \#1\^{}2})"));
+}
