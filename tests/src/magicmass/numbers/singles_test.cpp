@@ -198,7 +198,7 @@ TEST_CASE("doubles and ties: 1 + alpha a power of 2, the first collisions, leadi
 }
 TEST_CASE("n ends at N_A, j before N_A + N_B, on both sides of a threshold") {
   Random random(24);
-  for (int row = 0; row < 23; ++row) {
+  for (int row = 0; row < 100; ++row) {
     const double threshold =
         row < 3 ? std::array{0x1.1c7397cb68b7ep-18, 0x1.bc7fb47556f22p-29, 1.0}[std::size_t(row)]
                 : accurate::ratios(some_whole(random, 0x1p55) + 1).magic;
@@ -206,6 +206,7 @@ TEST_CASE("n ends at N_A, j before N_A + N_B, on both sides of a threshold") {
       const double alpha = neighbour(threshold, step);
       const Counts counts = counts_by_oracle(alpha).value();
       INFO("alpha = " << in_hex(alpha));
+      if (row < 23) check_threshold(alpha);
       const std::int64_t last = counts.N_A, number = last + counts.N_B;
       for (std::int64_t j : {number - 2, number - 1}) CHECK(collision(alpha, j) <= 4);
       for (const Calls& tier : tiers) {
