@@ -116,19 +116,19 @@ template <class T, class V>
 [[gnu::always_inline]] inline SimdMask is_above(Simd x, Simd y) { return x > y; }
 [[gnu::always_inline]] inline TwoMask is_above(double x, double y) { return Two{x, x} > Two{y, y}; }
 [[gnu::always_inline]] inline Simd select(SimdMask c, Simd x, Simd y) {
-  return (Simd)((c & (SimdMask)x) | (~c & (SimdMask)y));
+  return Simd((c & SimdMask(x)) | (~c & SimdMask(y)));
 }
 [[gnu::always_inline]] inline double select(TwoMask c, double x, double y) {
-  return ((Two)((c & (TwoMask)Two{x, x}) | (~c & (TwoMask)Two{y, y})))[0];
+  return Two((c & TwoMask(Two{x, x})) | (~c & TwoMask(Two{y, y})))[0];
 }
-[[gnu::always_inline]] inline Simd magnitude(Simd x) { return (Simd)((SimdMask)x & INT64_MAX); }
+[[gnu::always_inline]] inline Simd magnitude(Simd x) { return Simd(SimdMask(x) & INT64_MAX); }
 [[gnu::always_inline]] inline double magnitude(double x) { return __builtin_fabs(x); }
 /// x with its sign changed where y's sign bit is set.
 [[gnu::always_inline]] inline Simd times_sign_of(Simd x, Simd y) {
-  return (Simd)((SimdMask)x ^ ((SimdMask)y & INT64_MIN));
+  return Simd(SimdMask(x) ^ (SimdMask(y) & INT64_MIN));
 }
 [[gnu::always_inline]] inline double times_sign_of(double x, double y) {
-  return ((Two)((TwoMask)Two{x, x} ^ ((TwoMask)Two{y, y} & INT64_MIN)))[0];
+  return Two(TwoMask(Two{x, x}) ^ (TwoMask(Two{y, y}) & INT64_MIN))[0];
 }
 
 /// The whole number nearest to x, ties to even; |x| <= 2^51.
@@ -138,10 +138,10 @@ template <class T>
 }
 /// Whole numbers from 0 to 2^52 - 1 to doubles, exactly, and back.
 [[gnu::always_inline]] inline Simd to_real(SimdMask n) {
-  return (Simd)(n | (SimdMask)all<Simd>(0x1p52)) - 0x1p52;
+  return Simd(n | SimdMask(all<Simd>(0x1p52))) - 0x1p52;
 }
 [[gnu::always_inline]] inline SimdMask to_whole(Simd n) {
-  return (SimdMask)(n + 0x1p52) & 0xfffffffffffff;
+  return SimdMask(n + 0x1p52) & 0xfffffffffffff;
 }
 [[gnu::always_inline]] inline double to_real(std::int64_t n) { return double(n); }
 /// 0 for NaN, which a row in doubt may have.

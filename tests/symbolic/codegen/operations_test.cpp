@@ -77,13 +77,13 @@ Traced operator+(const Traced& x, const Traced& y) { return fused(x, 1, y); }
 Traced operator-(const Traced& x, const Traced& y) { return fused(y, -1, x); }
 Traced operator/(const Traced& x, const Traced& y) {
   Traced r(x.value / y.value);
-  r.add(x, 1 / (long double)(y.value));
-  r.add(y, -(long double)(x.value) / y.value / y.value);
+  r.add(x, 1 / static_cast<long double>(y.value));
+  r.add(y, -static_cast<long double>(x.value) / y.value / y.value);
   return r.rounded_from(exact(x) / exact(y));
 }
 Traced square_root(const Traced& x) {
   Traced r(std::sqrt(x.value));
-  r.add(x, 0.5L / std::sqrt((long double)(x.value)));
+  r.add(x, 0.5L / std::sqrt(static_cast<long double>(x.value)));
   const cln::cl_RA root = exact(r);
   return r.rounded_from(root + (exact(x) - root * root) / (2 * root));
 }

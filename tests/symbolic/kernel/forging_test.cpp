@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Rooms that see the kernel hold no words by which C++ could make a theorem past its rules.
+// Rooms that see the kernel, and their tests, hold none of the words by which C++ is known to make
+// theorems past its rules. A cast of C's is an error there: symbolic/kernel/CMakeLists.txt.
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
@@ -23,7 +24,8 @@ std::string bare(std::string code) {
   code += std::regex_replace(code, std::regex(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/)"), " ");
   code = std::regex_replace(code, std::regex(R"(\[\[[^\]]*\]\])"), " ");  // attributes
   code = std::regex_replace(code, std::regex(R"(\s+)"), " ");
-  code = std::regex_replace(code, std::regex(R"( ?:: ?)"), "::");
+  code = std::regex_replace(code, std::regex(R"( ?(::|\*|&) ?)"), "$1");
+  code = std::regex_replace(code, std::regex(R"(\bnew\()"), "new (");
   code = std::regex_replace(code, std::regex(R"(# )"), "#");
   return std::regex_replace(code, std::regex("using namespace (::)?kernel"), "using kernel");
 }
@@ -59,10 +61,33 @@ std::map<std::string, std::string> seeing(const std::vector<fs::path>& folders) 
 std::vector<std::string> forged(const std::vector<fs::path>& folders) {
   std::vector<std::string> out;
   for (const auto& [file, code] : seeing(folders)) {
-    for (const char* word :
-         {"namespace kernel", "const_cast", "reinterpret_cast", "bit_cast", "memcpy", "memmove",
-          "Theorem::", "::content>", "::content,", "::Content", "::place",
-          "Theorem kernel::", "Theorems kernel::", "#define", "%:", "asm(", "asm ("})
+    for (const char* word : {"namespace kernel",
+                             "const_cast",
+                             "reinterpret_cast",
+                             "bit_cast",
+                             "memcpy",
+                             "memmove",
+                             "Theorem::",
+                             "::content>",
+                             "::content,",
+                             "::Content",
+                             "::place",
+                             "Theorem kernel::",
+                             "Theorems kernel::",
+                             "#define",
+                             "%:",
+                             "asm(",
+                             "asm (",
+                             "void*",
+                             "union ",
+                             "new (",
+                             "memset",
+                             "fread",
+                             "as_writable_bytes",
+                             "decltype((",
+                             "Theorem&;",
+                             "Theorem&>",
+                             "Theorem*;"})
       if (code.find(word) != code.npos)
         out.push_back(fs::path(file).filename().string() + ": " + word);
     if (std::regex_search(code, std::regex(R"(#include "[^"]*\.cpp")")))
@@ -74,7 +99,7 @@ std::vector<std::string> forged(const std::vector<fs::path>& folders) {
 
 TEST_CASE("no room that sees the kernel holds a forging word") {
   std::vector<fs::path> folders;
-  for (const char* folder : {"symbolic", "src", "tutorials", "examples"})
+  for (const char* folder : {"symbolic", "src", "tutorials", "examples", "tests/symbolic"})
     folders.push_back(fs::path(MAGICMASS_SOURCE) / folder);
   CHECK(forged(folders) == std::vector<std::string>{});
   const auto all = seeing(folders);
@@ -98,7 +123,7 @@ TEST_CASE("a planted forgery is found, and named") {
   plant("honest.cpp", "using namespace kernel;\n// no cast here\nint x = kernel::f();\n");
   CHECK(forged({folder}).empty());
   const auto rows = rows_of("symbolic/kernel/forged.tsv", 2);
-  REQUIRE(rows.size() == 19);
+  REQUIRE(rows.size() == 31);
   for (const auto& row : rows) {
     const std::string code = std::regex_replace(row[0], std::regex(R"(\\n)"), "\n");
     INFO(code);
