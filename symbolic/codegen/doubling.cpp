@@ -55,18 +55,21 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
   const std::string lower = value(t.even, "low"), upper = value(t.even, "high");
   know(terms, at(f, m + 1), "high");
   const std::string between = value(t.odd, "low");
-  const auto said = [](const kernel::Theorem& of) { return "// " + kernel::text(of.conclusion()); };
+  const auto line = [](const std::string& code, const kernel::Theorem& of) {
+    return commented(code, kernel::text(of.conclusion()));
+  };
   return "/// " + cpp_name(f) + " at 2n and at 2n + 1, by doubling the index.\n" +
          "template <class Number>\nstd::pair<Number, Number> " + cpp_name(f) + "_doubled(" +
-         parameters + "std::int64_t n) {\n  " + said(t.at_1) + "\n  const Number first = " + first +
-         ";\n  " + said(t.at_0) + "\n  Number low = " + start +
-         ";\n  Number high = first;\n"
+         parameters + "std::int64_t n) {\n" +
+         line("  const Number first = " + first + ";", t.at_1) +
+         line("  Number low = " + start + ";", t.at_0) +
+         "  Number high = first;\n"
          "  const std::uint64_t index = 2 * std::uint64_t(n);\n"
-         "  for (int bit = int(std::bit_width(index)); bit-- > 0;) {\n    " +
-         said(t.odd) + "\n    const Number between = " + between + ";\n    " + said(t.even) +
-         "\n    if ((index >> bit & 1) != 0) {\n      low = between;\n      high = " + upper +
-         ";\n    } else {\n      high = between;\n      low = " + lower +
-         ";\n    }\n  }\n  return {low, high};\n}\n";
+         "  for (int bit = int(std::bit_width(index)); bit-- > 0;) {\n" +
+         line("    const Number between = " + between + ";", t.odd) +
+         "    if ((index >> bit & 1) != 0) {\n      low = between;\n" +
+         line("      high = " + upper + ";", t.even) + "    } else {\n      high = between;\n" +
+         line("      low = " + lower + ";", t.even) + "    }\n  }\n  return {low, high};\n}\n";
 }
 
 std::string call_doubling(const Doubling& t, Expr term, Builder& terms) {
@@ -87,7 +90,7 @@ std::string call_doubling(const Doubling& t, Expr term, Builder& terms) {
   Words arguments;
   for (Expr p : kernel::free_variables(f)) arguments.push_back(identifier(p.name()));
   arguments.push_back(identifier(x.name()));
-  return lines + "    const std::pair<Number, Number> " + pair + " = " + cpp_name(f) + "_doubled(" +
+  return lines + "  const std::pair<Number, Number> " + pair + " = " + cpp_name(f) + "_doubled(" +
          joined(arguments, ", ") + ");\n";
 }
 }  // namespace codegen

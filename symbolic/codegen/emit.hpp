@@ -7,8 +7,11 @@
 
 namespace codegen {
 using Words = std::vector<std::string>;
-/// Lines, broken at spaces to at most 100 columns.
+constexpr std::size_t columns = 100;
+/// Lines, broken at spaces to at most that many columns.
 std::string broken(const std::string& lines);
+/// A line of code and why it is there: behind it, or above it where both are wider than a line.
+std::string commented(const std::string& line, const std::string& why);
 std::string joined(const std::vector<std::string>& parts, const std::string& by);
 std::string capital(std::string name);
 /// Licence, "generated" line, what it is; then `#pragma once` and the includes.
@@ -33,6 +36,8 @@ std::string manifest_entry(const Quantity& q, const std::string& form, const std
 std::string as_plain(const Program& p, int k);   ///< an exact node, as a T
 std::string as_number(const Program& p, int k);  ///< any node, as an N
 std::string right_side(const Program& p, const Node& n);
+/// A node's formula, or "for a, b": whose it is a part of; of a result "".
+std::string purpose(const Program& p, int k);
 /// The line that both functions of an angle come from.
 std::string sine_and_cosine(const Program& p, const Node& n);
 /// "3 sums, 2 products, ..."

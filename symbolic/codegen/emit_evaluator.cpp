@@ -117,10 +117,12 @@ private:
   void structure() {
     line("/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) + ".");
     for (const kernel::Theorem& t : c.outputs) line("/// Theorem: " + shown(q, t.conclusion()));
+    std::map<std::string, Words> facts;  // by what they rest on
     for (const Fact& f : c.facts) {
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;
-      line("/// " + shown(q, f.formula) + ": " + f.argument + computed);
+      facts[f.argument + computed].push_back(shown(q, f.formula));
     }
+    for (const auto& [why, formulas] : facts) line("/// " + joined(formulas, ", ") + ": " + why);
     line("/// Operations: " + operation_counts(p) + ".");
     line("template <class Tier, class N>\nstruct " + name +
          " {\n  using T = typename N::Value;\n  using R = typename N::Result;");
@@ -163,14 +165,14 @@ private:
       values.push_back(is_whole ? "N::" + whole : r.name);
       stores += "    store(columns." + r.name + " + row, " + (is_whole ? whole : r.name) + ");\n";
     }
-    line("  " + name + "() = default;");
     line(inlined + "explicit " + name + "(const " + Q + "Inputs& in) : " + joined(set, ", ") +
          " {}");
     line(inlined + Q + "Outputs outputs() const { return {" + joined(values, ", ") + "}; }");
     if (!q.has_arrays || &c != &q.cases[0]) return;
     const std::string columns = "const " + Q + "Columns& columns, ";
-    result.header += inlined + "void load_inputs(" + columns + "std::size_t row) {\n" + loads +
-                     "  }\n" + inlined + "SimdMask is_in_case([[maybe_unused]] " + columns +
+    result.header += "  " + name + "() = default;\n" + inlined + "void load_inputs(" + columns +
+                     "std::size_t row) {\n" + loads + "  }\n" + inlined +
+                     "SimdMask is_in_case([[maybe_unused]] " + columns +
                      "[[maybe_unused]] std::size_t row) const {\n    return " + in_case.substr(3) +
                      ";\n  }\n" + inlined + "void store_outputs(" + columns +
                      "std::size_t row) const {\n" + stores + "  }\n";
@@ -183,13 +185,13 @@ private:
       const Node& n = p[k];
       const bool has_line = n.op != Op::input && n.op != Op::constant && n.name[0] != '-';
       if (n.stage != stage || !has_line) continue;
-      if (!n.formula.empty()) line("    // " + n.formula);
       const bool is_function = n.op == Op::sine || n.op == Op::cosine;
       if (is_function && paired.insert(n.of[0]).second) line("    " + sine_and_cosine(p, n));
       const bool is_member = kept.count(k) > 0;
       const std::string type = is_member ? "" : n.is_exact ? "const T " : "const N ";
       const std::string maybe = type == "const N " && n.op == Op::scale ? "[[maybe_unused]] " : "";
-      line("    " + maybe + type + n.name + " = " + right_side(p, n) + ";");
+      result.header +=
+          commented("    " + maybe + type + n.name + " = " + right_side(p, n) + ";", purpose(p, k));
     }
     if (stage == 3) tests();
     line("  }");
@@ -307,8 +309,8 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
       structures(q) + e.header + "/// What its callers need to know of " + q.name + ".\nstruct " +
       Q + " {\n  using Inputs = " + Q + "Inputs;\n  using Outputs = " + Q + "Outputs;\n" +
       of_arrays +
-      "  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain\n"
-      "  /// is that of doubles, or (wide) of a number type without over- and underflow.\n"
+      "  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, "
+      "underflow.\n"
       "  template <bool is_wide, class F>\n"
       "  [[gnu::always_inline]] static double visit(const Inputs& in, F f) {\n" +
       visits +

@@ -24,15 +24,24 @@ std::string guard(const PlainForm& f, const Case& c) {
   }
   return joined(parts, " && ");
 }
-/// A line a guard: without it a named value is outside of what the formula is for.
+/// The exception, with its text on a line of its own where that takes one; what is longer is in the
+/// comment alone.
+std::string thrown(const std::string& function, const std::string& what) {
+  const std::string start = "    throw std::domain_error(\"" + function + ": ",
+                    next = "\"\n        \"";
+  const auto fits = [](std::size_t before, const std::string& x) {
+    return before + x.size() + 3 <= columns;
+  };
+  const std::string said = fits(9, what) ? what : "outside of the domain that its comment states";
+  return start + (fits(start.size(), said) ? "" : next) + said + "\");\n";
+}
+/// Outside of it a named value is not what the formula is for.
 std::string guard_lines(const std::string& function, const Case& c) {
   std::string lines;
   for (const Condition& g : c.guards) {
-    const std::string name = identifier(g.name);
-    lines += "    if (!(" + name + " > Number(" + hex(g.range.low) + ") && " + name + " < Number(" +
-             hex(g.range.high) + ")))\n      throw std::domain_error(\"" + function +
-             ": \"\n          \"" + name + " must be between " + hex(g.range.low) + " and " +
-             hex(g.range.high) + "\");\n";
+    const std::string name = identifier(g.name), low = hex(g.range.low), high = hex(g.range.high);
+    lines += "  if (!(" + name + " > Number(" + low + ") && " + name + " < Number(" + high +
+             ")))\n" + thrown(function, name + " must be between " + low + " and " + high);
   }
   return lines;
 }
@@ -97,21 +106,28 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   const std::string name = is_matrix ? q.name : q.name + "_" + f.form;
   const std::string structure = capital(q.name) + capital(f.form);
   const Expr first = q.cases[0].outputs[0].conclusion().arg(0);
-  std::string branches;
+  std::string code;
   std::set<std::string> functions;  // of <cmath>
   Words domains, counts, parameters;
+  const bool is_exact = f.form == "exact";
+  const std::regex line_start("\n(?=.)");
   for (const Case& c : q.cases) {
-    const bool is_exact = f.form == "exact";
     const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
     PlainText text(p);
-    const std::string body = p.calls + text.lines() + guard_lines(name, c) + "    return {" +
-                             results(p, text, first) + "};\n";
-    branches += guard(f, c).empty() ? std::regex_replace(body, std::regex("(^|\n)  "), "$1")
-                                    : "  if (" + guard(f, c) + ") {\n" + body + "  }\n";
-    functions.merge(text.functions);
-    if (e.header.find(p.doubling) == std::string::npos) e.header += p.doubling;
     domains.push_back(domain_in_words(q, c, is_exact));
     counts.push_back(operation_counts(p) + (p.calls.empty() ? "" : ", and those of the calls"));
+    const std::string body = p.calls + text.lines() + guard_lines(name, c) + "  return {" +
+                             results(p, text, first) + "};\n";
+    functions.merge(text.functions);
+    if (e.header.find(p.doubling) == std::string::npos) e.header += p.doubling;
+    const std::string inside = guard(f, c), allowed = "allowed: " + joined(domains, "; or ");
+    if (&c != &q.cases.back()) {
+      code +=
+          "  if (" + inside + ") {" + std::regex_replace("\n" + body, line_start, "\n  ") + "  }\n";
+      continue;
+    }
+    if (!inside.empty()) code += "  if (!(" + inside + "))\n" + thrown(name, allowed);
+    code += body;
   }
   for (const Input& i : q.inputs)
     parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
@@ -130,19 +146,17 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
         "/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
         joined(ceilings, ", ") + ".\n";
   e.header +=
-      "template <class Number>\n"
-      "  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or "
-      "1.0f\n" +
+      std::string("template <class Number>\n") +
+      (is_exact
+           ? "  requires(!std::is_arithmetic_v<Number>)  // for doubles: closed, product, tangent\n"
+           : "  requires(!std::integral<Number> && !std::same_as<Number, float>)  "
+             "// 1.0, not 1 or 1.0f\n") +
       (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
                  : structure + "<Number>") +
       " " + name + "(" + joined(parameters, ", ") + ") {\n";
   if (!functions.empty())
     e.header += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
-  const std::string between = domains.size() + q.inputs.size() > 2 ? "\"\n      \"" : "";
-  if (branches.starts_with("  if ("))
-    branches += "  throw std::domain_error(\"" + name + ": allowed: " + between +
-                joined(domains, "; or " + between) + "\");\n";
-  e.header += branches + "}\n";
+  e.header += code + "}\n";
   e.manifest.push_back(manifest_entry(q, f.form, e.path, ids));
 }
 }  // namespace
@@ -169,12 +183,14 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
                                      {"std::integral<", "<concepts>"},
                                      {"std::int64_t", "<cstdint>"},
                                      {"std::domain_error(", "<stdexcept>"},
+                                     {"std::is_arithmetic_v<", "<type_traits>"},
                                      {"std::pair<", "<utility>"}})
     if (result.header.find(used) != std::string::npos) includes.push_back(header);
   const std::string numbers =
       is_exact
-          ? "any field, without error. A whole number outside of its domain throws "
-            "std::domain_error; others are not tested: a field need have no order."
+          ? "any field, without error; doubles are no field, and refused. A whole number outside "
+            "of its domain throws std::domain_error; others are not tested: a field need have no "
+            "order."
           : "any real type of double's precision and exponents, or better, with <cmath>'s "
             "functions; each operation is rounded as the type rounds. No error bound is derived: "
             "where terms cancel, the result has their absolute error, and few right digits where "

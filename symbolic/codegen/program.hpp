@@ -98,7 +98,7 @@ struct Condition {
 struct Fact {
   kernel::Exprs hypotheses;
   kernel::Expr formula;
-  std::string argument = "a theorem";
+  std::string argument = "by theorem";
   /// Why it holds of computed values, within 2^-22, where their error bounds do not show it.
   std::string of_computed;
   Fact(const kernel::Theorem& t) : hypotheses(t.hypotheses()), formula(t.conclusion()) {}

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The spelling of each operation in the runtime; and as it is typed, with no more brackets than it
 // takes.
+#include <algorithm>
+
 #include "codegen/emit.hpp"
 
 namespace codegen {
@@ -96,6 +98,25 @@ std::string sine_and_cosine(const Program& p, const Node& n) {
          (is_small ? "_small<Tier>(" : "<Tier>(") + as_number(p, x) + ");";
 }
 
+std::string purpose(const Program& p, int k) {
+  if (!p[k].formula.empty()) return p[k].formula;
+  std::set<int> parts{k};
+  Words whose;
+  const auto is_part = [&](int x) { return parts.contains(x); };
+  for (int whole = k + 1; whole < p.size(); ++whole) {
+    if (std::ranges::none_of(p[whole].of, is_part)) continue;
+    if (p[whole].formula.empty())
+      parts.insert(whole);
+    else
+      whose.push_back(p[whole].name);
+  }
+  for (const Result& r : p.results) {
+    if (r.node == k) return "";
+    if (is_part(r.node) && std::ranges::count(whose, r.name) == 0) whose.push_back(r.name);
+  }
+  return "for " + joined(whose, ", ");
+}
+
 std::string operation_counts(const Program& p) {
   std::map<std::string, int> counts;
   for (const Node& n : p.nodes) {
@@ -157,8 +178,7 @@ std::string PlainText::lines() {
   std::string text;
   for (int k = 0; k < p.size(); ++k) {
     if (!has_line(k)) continue;
-    if (!p[k].formula.empty()) text += "    // " + p[k].formula + "\n";
-    text += "    const Number " + p[k].name + " = " + right_side(k) + ";\n";
+    text += commented("  const Number " + p[k].name + " = " + right_side(k) + ";", purpose(p, k));
   }
   return text;
 }

@@ -9,7 +9,6 @@
 namespace codegen {
 namespace {
 std::string broken_line(std::string rest) {
-  constexpr std::size_t columns = 100;
   const std::size_t indent = std::min(rest.find_first_not_of(' '), rest.size());
   const std::string code = rest.substr(indent);
   const bool is_literal = code.starts_with('"');
@@ -36,6 +35,12 @@ std::string broken(const std::string& lines) {
   std::istringstream in(lines);
   for (std::string line; std::getline(in, line);) text += broken_line(line);
   return text;
+}
+std::string commented(const std::string& line, const std::string& why) {
+  if (why.empty()) return line + "\n";
+  const std::string behind = line + "  // " + why;
+  if (behind.size() <= columns) return behind + "\n";
+  return line.substr(0, line.find_first_not_of(' ')) + "// " + why + "\n" + line + "\n";
 }
 std::string joined(const Words& parts, const std::string& by) {
   std::string r;

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <functional>
 
+#include <cln/cln.h>
+
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/plain/restitution.hpp"
@@ -58,7 +60,8 @@ int main() {
     const double time = motion.step().time;
     if (j % 2 == 0) std::printf("  %d | %.6f\n", j, time);
   }
-  const double q_e = magicmass::generated::shape_exact(1.0, 1.0, 1.0, below).q_e;
+  const double q_e = cln::double_approx(
+      magicmass::generated::shape_exact<cln::cl_RA>(1, 1, 1, cln::rational(cln::cl_R(below))).q_e);
   std::printf("collapse_time: %.6f\n", magicmass::generated::collapse_restitution(
                                            1.0, 1.0, 1.0, below, q_e, 1.0, 0.0, 0.0, 1.0)
                                            .t_any);

@@ -22,8 +22,7 @@ struct AngleOutputs {
 };
 /// angle, small: alpha from 0x1p-300 to 0x1p+0.
 /// Theorem: psi = 4*half_h
-/// z <= 1/3: a theorem
-/// t^2 = z: a theorem
+/// z <= 1/3, t^2 = z: by theorem
 /// Operations: arctangents: 1, products by doubles: 2, quotients: 1, reciprocal roots: 1, sums of
 ///   doubles: 1.
 template <class Tier, class N>
@@ -39,22 +38,16 @@ struct AngleSmall {
       {0x1.7dp-98},
       {0x1.401p+4}};
   static constexpr const double* E = bounds[Tier::number];
-  AngleSmall() = default;
   [[gnu::always_inline]] explicit AngleSmall(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
   [[gnu::always_inline]] AngleOutputs outputs() const { return {psi}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    // above = 2 + alpha
-    const N above = N::fast_two_sum(N::all(0x1p+1), alpha);
-    const N t1 = times(above, alpha);
-    // w = 1/sqrt(alpha*above)
-    const N w = reciprocal_root(t1);
-    // z = alpha/above
-    const N z = quotient(alpha, above);
-    // t = alpha*w
-    const N t = times(w, alpha);
-    // half_h = atan(t)
-    half_h = arc_tangent<Tier>(t, z);
+    const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
+    const N t1 = times(above, alpha);  // for w
+    const N w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)
+    const N z = quotient(alpha, above);  // z = alpha/above
+    const N t = times(w, alpha);  // t = alpha*w
+    half_h = arc_tangent<Tier>(t, z);  // half_h = atan(t)
   }
   [[gnu::always_inline]] void stage_2() {
     of_psi = scaled(half_h, 0x1p+2);
@@ -67,8 +60,7 @@ struct AngleSmall {
 struct Angle {
   using Inputs = AngleInputs;
   using Outputs = AngleOutputs;
-  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
-  /// is that of doubles, or (wide) of a number type without over- and underflow.
+  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <= 0x1p+0)

@@ -26,11 +26,7 @@ struct CollisionOutputs {
 ///   times its error.
 /// Theorem: when_j = 1*inv(1)*(time_ratio_j*half_cosine_j*per_next_j)
 /// Theorem: apart_j = 1*(t_ratio_j*per_next_j)
-/// z <= 1/3: a theorem
-/// t^2 = z: a theorem
-/// t <= half_sine_j: a theorem
-/// 0 < next_sine_j: a theorem
-/// sine_ratio_j <= 1: a theorem
+/// z <= 1/3, t^2 = z, t <= half_sine_j, 0 < next_sine_j, sine_ratio_j <= 1: by theorem
 /// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 4,
 ///   reciprocal roots: 1, sines: 1, sums: 4, sums of doubles: 1.
 template <class Tier, class N>
@@ -46,52 +42,38 @@ struct CollisionSmall {
       {0x1.0b9p-95, 0x1.979p-187, 0x1.a12p-92, 0x1.0b9p-95, 0x1.e62p-94, 0x1.0b9p-72},
       {0x1.035p+4, 0x1.97cp-170, 0x1.a58p+6, 0x1.035p+4, 0x1.5efp+5, 0x1.035p+27}};
   static constexpr const double* E = bounds[Tier::number];
-  CollisionSmall() = default;
   [[gnu::always_inline]] explicit CollisionSmall(const CollisionInputs& in) :
       alpha(N::all(in.alpha)), j(N::whole(in.j)) {}
   [[gnu::always_inline]] CollisionOutputs outputs() const { return {when, apart}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    // above = 2 + alpha
-    const N above = N::fast_two_sum(N::all(0x1p+1), alpha);
-    const N t1 = times(above, alpha);
-    // w = 1/sqrt(alpha*above)
-    const N w = reciprocal_root(t1);
-    // z = alpha/above
-    const N z = quotient(alpha, above);
-    // t = alpha*w
-    t = times(w, alpha);
-    // half_h = atan(t)
-    half_h = arc_tangent<Tier>(t, z);
-    t4 = N::exact(N::all(0x1p+0)) + z;
+    const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
+    const N t1 = times(above, alpha);  // for w
+    const N w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)
+    const N z = quotient(alpha, above);  // z = alpha/above
+    t = times(w, alpha);  // t = alpha*w
+    half_h = arc_tangent<Tier>(t, z);  // half_h = atan(t)
+    t4 = N::exact(N::all(0x1p+0)) + z;  // for time_ratio
   }
   [[gnu::always_inline]] void stage_2() {
-    // half_phase_j = half_h*j
-    half_phase = times(half_h, j);
-    // half_sine_j = sin(half_phase_j)
+    half_phase = times(half_h, j);  // half_phase_j = half_h*j
     const auto of_half_phase = sine_cosine<Tier>(half_phase);
-    half_sine = of_half_phase.sine;
-    t2 = of_half_phase.cosine;
+    half_sine = of_half_phase.sine;  // half_sine_j = sin(half_phase_j)
+    t2 = of_half_phase.cosine;  // for next_cosine
   }
   [[gnu::always_inline]] void stage_3() {
-    // t_half_sine_j = t*half_sine_j
-    const N t_half_sine = t * half_sine;
+    const N t_half_sine = t * half_sine;  // t_half_sine_j = t*half_sine_j
     // next_cosine_j = cos(half_phase_j) - t_half_sine_j
     const N next_cosine = cancelling_sum(t2, -t_half_sine);
     // half_cosine_j = next_cosine_j + t_half_sine_j
     const N half_cosine = next_cosine + t_half_sine;
-    const N t3 = t * half_cosine;
-    // next_sine_j = half_sine_j + t*half_cosine_j
-    const N next_sine = half_sine + t3;
-    // per_next_j = 1/next_cosine_j
-    const N per_next = quotient(N::all(0x1p+0), next_cosine);
-    // sine_ratio_j = half_sine_j/next_sine_j
-    const N sine_ratio = quotient(half_sine, next_sine);
-    // time_ratio_j = (1 + z)*sine_ratio_j
-    const N time_ratio = t4 * sine_ratio;
-    // t_ratio_j = t/next_sine_j
-    const N t_ratio = quotient(t, next_sine);
-    const N t5 = time_ratio * half_cosine;
+    const N t3 = t * half_cosine;  // for next_sine
+    const N next_sine = half_sine + t3;  // next_sine_j = half_sine_j + t*half_cosine_j
+    const N per_next = quotient(N::all(0x1p+0), next_cosine);  // per_next_j = 1/next_cosine_j
+    const N sine_ratio = quotient(half_sine, next_sine);  // sine_ratio_j = half_sine_j/next_sine_j
+    const N time_ratio = t4 * sine_ratio;  // time_ratio_j = (1 + z)*sine_ratio_j
+    const N t_ratio = quotient(t, next_sine);  // t_ratio_j = t/next_sine_j
+    const N t5 = time_ratio * half_cosine;  // for when
     const N of_when = t5 * per_next;
     const N of_apart = t_ratio * per_next;
     when = rounded_by<Tier>(of_when, size_of(per_next) * (size_of(time_ratio) * (size_of(per_next) *
@@ -119,13 +101,12 @@ struct CollisionFirst {
       {0x0p+0, 0x0p+0},
       {0x1.001p+0, 0x1.001p+0}};
   static constexpr const double* E = bounds[Tier::number];
-  CollisionFirst() = default;
   [[gnu::always_inline]] explicit CollisionFirst(const CollisionInputs& in) :
       alpha(N::all(in.alpha)), j(N::whole(in.j)) {}
   [[gnu::always_inline]] CollisionOutputs outputs() const { return {when, apart}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    t1 = N::two_sum(N::all(0x1p+0), alpha);
+    t1 = N::two_sum(N::all(0x1p+0), alpha);  // for when, apart
     of_when = scaled(t1, 0x1p-1);
   }
   [[gnu::always_inline]] void stage_2() {
@@ -139,8 +120,7 @@ struct CollisionFirst {
 struct Collision {
   using Inputs = CollisionInputs;
   using Outputs = CollisionOutputs;
-  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
-  /// is that of doubles, or (wide) of a number type without over- and underflow.
+  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <=

@@ -36,25 +36,24 @@ struct DeficientGeneral {
       {0x1.83bp-98},
       {0x1.b75p+3}};
   static constexpr const double* E = bounds[Tier::number];
-  DeficientGeneral() = default;
   [[gnu::always_inline]] explicit DeficientGeneral(const DeficientInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] DeficientOutputs outputs() const { return {beta_}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    const T t1 = N::all(0x1p+0) + k;
+    const T t1 = N::all(0x1p+0) + k;  // for deficient_angle
+    // for deficient_angle
     const N t2 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),
         N::exact(t1));
     // deficient_angle_k = pi/(4*(1 + k))
     [[maybe_unused]] const N deficient_angle = scaled(t2, 0x1p-2);
-    // deficient_sine_k = sin(deficient_angle_k)
     const auto of_deficient_angle = sine_cosine_small<Tier>(deficient_angle);
-    deficient_sine = of_deficient_angle.sine;
+    deficient_sine = of_deficient_angle.sine;  // deficient_sine_k = sin(deficient_angle_k)
   }
   [[gnu::always_inline]] void stage_2() {
-    const N t3 = deficient_sine * deficient_sine;
+    const N t3 = deficient_sine * deficient_sine;  // for deficient_versed, deficient_cosine
     // deficient_versed_k = 2*deficient_sine_k^2
     [[maybe_unused]] const N deficient_versed = scaled(t3, 0x1p+1);
-    [[maybe_unused]] const N t4 = scaled(t3, -0x1p+1);
+    [[maybe_unused]] const N t4 = scaled(t3, -0x1p+1);  // for deficient_cosine
     // deficient_cosine_k = 1 - deficient_versed_k
     const N deficient_cosine = cancelling_sum(N::exact(N::all(0x1p+0)), t4);
     of_beta_ = quotient(deficient_versed, deficient_cosine);
@@ -67,8 +66,7 @@ struct DeficientGeneral {
 struct Deficient {
   using Inputs = DeficientInputs;
   using Outputs = DeficientOutputs;
-  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
-  /// is that of doubles, or (wide) of a number type without over- and underflow.
+  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (double(in.k) >= 0x1p+0 && double(in.k) <= (is_wide ? 0x1p+63 : 0x1p+50))

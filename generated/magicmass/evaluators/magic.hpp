@@ -36,26 +36,24 @@ struct MagicGeneral {
       {0x1.ae4p-98},
       {0x1.84p+3}};
   static constexpr const double* E = bounds[Tier::number];
-  MagicGeneral() = default;
   [[gnu::always_inline]] explicit MagicGeneral(const MagicInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] MagicOutputs outputs() const { return {alpha_}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    const T t1 = k * 0x1p+1;
-    const N t2 = N::fast_two_sum(t1, N::all(0x1p+0));
+    const T t1 = k * 0x1p+1;  // for magic_angle
+    const N t2 = N::fast_two_sum(t1, N::all(0x1p+0));  // for magic_angle
+    // for magic_angle
     const N t3 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),
         t2);
-    // magic_angle_k = pi/(2*(1 + 2*k))
-    [[maybe_unused]] const N magic_angle = scaled(t3, 0x1p-1);
-    // magic_sine_k = sin(magic_angle_k)
+    [[maybe_unused]] const N magic_angle = scaled(t3, 0x1p-1);  // magic_angle_k = pi/(2*(1 + 2*k))
     const auto of_magic_angle = sine_cosine_small<Tier>(magic_angle);
-    magic_sine = of_magic_angle.sine;
+    magic_sine = of_magic_angle.sine;  // magic_sine_k = sin(magic_angle_k)
   }
   [[gnu::always_inline]] void stage_2() {
-    const N t4 = magic_sine * magic_sine;
+    const N t4 = magic_sine * magic_sine;  // for magic_versed, magic_cosine
     // magic_versed_k = 2*magic_sine_k^2
     [[maybe_unused]] const N magic_versed = scaled(t4, 0x1p+1);
-    [[maybe_unused]] const N t5 = scaled(t4, -0x1p+1);
+    [[maybe_unused]] const N t5 = scaled(t4, -0x1p+1);  // for magic_cosine
     // magic_cosine_k = 1 - magic_versed_k
     const N magic_cosine = cancelling_sum(N::exact(N::all(0x1p+0)), t5);
     of_alpha_ = quotient(magic_versed, magic_cosine);
@@ -68,8 +66,7 @@ struct MagicGeneral {
 struct Magic {
   using Inputs = MagicInputs;
   using Outputs = MagicOutputs;
-  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
-  /// is that of doubles, or (wide) of a number type without over- and underflow.
+  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (double(in.k) >= 0x1p+1 && double(in.k) <= (is_wide ? 0x1p+63 : 0x1p+50))

@@ -34,7 +34,7 @@ struct RestitutionOutputs {
 /// Theorem: b_end = 1*(w_B*taken_e)
 /// Theorem: c_end = 1*(w_B*taken_e - second_e)
 /// Theorem: rho_end = w_B*taken_e^2
-/// t_e^2 = z_e: a theorem
+/// t_e^2 = z_e: by theorem
 /// Operations: arctangents: 1, powers: 1, products: 14, products by doubles: 14, quotients: 8,
 ///   reciprocal roots: 3, roundings to whole numbers: 1, sines: 2, sums: 17, sums of doubles: 3.
 template <class Tier, class N>
@@ -51,134 +51,103 @@ struct RestitutionGeneral {
       {0x1.801p-52, 0x1.f74p-67, 0x1.801p-52, 0x1.b86p-67},
       {0x1.001p+0, 0x1.148p+86, 0x1.001p+0, 0x1.e3dp+85}};
   static constexpr const double* E = bounds[Tier::number];
-  RestitutionGeneral() = default;
   [[gnu::always_inline]] explicit RestitutionGeneral(const RestitutionInputs& in) :
       M_C(N::all(in.M_C)), w_B(N::all(in.w_B)), e(N::all(in.e)) {}
   [[gnu::always_inline]] RestitutionOutputs outputs() const { return {N::to_whole(N_e), a_end,
       b_end, c_end, rho_end}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    const N t1 = N::two_sum(N::all(0x1p+0), M_C);
-    const N t2 = times(t1, w_B);
-    // all_e = 1 + w_B*(1 + M_C)
-    all_e = N::exact(N::all(0x1p+0)) + t2;
-    const N t3 = times(N::exact(M_C), w_B);
-    const N t4 = N::exact(N::all(0x1p+0)) + t3;
-    const N t5 = t1 * t4;
-    const N t6 = reciprocal_root(t5);
-    // both_e = sqrt((1 + M_C)*(1 + w_B*M_C))
-    const N both_e = t5 * t6;
-    // side_e = both_e/(1 + M_C)
-    side_e = quotient(both_e, t1);
-    const N t7 = reciprocal_root(N::exact(e));
-    // root_e = sqrt(e)
-    root_e = times(t7, e);
-    const N t8 = times(all_e, M_C);
-    const T t9 = e * 0x1p+2;
-    // rise_e = 4*e*(M_C*all_e)
-    const N rise_e = times(t8, t9);
-    const T t10 = e * -0x1p+0;
-    const N t11 = N::fast_two_sum(N::all(0x1p+0), t10);
-    const N t12 = t11 * t11;
-    // loss_e = (1 - e)^2/rise_e
-    loss_e = quotient(t12, rise_e);
-    // share_e = 1 - loss_e
-    share_e = cancelling_sum(N::exact(N::all(0x1p+0)), -loss_e);
-    // gap_e = rise_e*share_e
-    const N gap_e = rise_e * share_e;
-    const N t13 = root_e * both_e;
-    [[maybe_unused]] const N t14 = scaled(t13, 0x1p+1);
-    const N t15 = N::fast_two_sum(N::all(0x1p+0), e);
-    // whole_e = 2*sqrt(e)*both_e + (1 + e)
-    const N whole_e = t14 + t15;
-    const N t16 = quotient(N::all(0x1p+0), whole_e);
-    const N t17 = t16 * t16;
-    // z_e = gap_e/whole_e^2
-    z_e = gap_e * t17;
-    const N t18 = reciprocal_root(gap_e);
-    const N t19 = gap_e * t18;
-    // t_e = sqrt(gap_e)/whole_e
-    const N t_e = quotient(t19, whole_e);
-    t20 = arc_tangent<Tier>(t_e, z_e);
-    const N t21 = N::exact(N::all(0x1p+0)) + z_e;
-    const N t22 = quotient(t_e, t21);
-    // sine_e = 2*t_e/(1 + z_e)
-    sine_e = scaled(t22, 0x1p+1);
+    const N t1 = N::two_sum(N::all(0x1p+0), M_C);  // for all_e, both_e, side_e
+    const N t2 = times(t1, w_B);  // for all_e
+    all_e = N::exact(N::all(0x1p+0)) + t2;  // all_e = 1 + w_B*(1 + M_C)
+    const N t3 = times(N::exact(M_C), w_B);  // for both_e
+    const N t4 = N::exact(N::all(0x1p+0)) + t3;  // for both_e
+    const N t5 = t1 * t4;  // for both_e
+    const N t6 = reciprocal_root(t5);  // for both_e
+    const N both_e = t5 * t6;  // both_e = sqrt((1 + M_C)*(1 + w_B*M_C))
+    side_e = quotient(both_e, t1);  // side_e = both_e/(1 + M_C)
+    const N t7 = reciprocal_root(N::exact(e));  // for root_e
+    root_e = times(t7, e);  // root_e = sqrt(e)
+    const N t8 = times(all_e, M_C);  // for rise_e
+    const T t9 = e * 0x1p+2;  // for rise_e
+    const N rise_e = times(t8, t9);  // rise_e = 4*e*(M_C*all_e)
+    const T t10 = e * -0x1p+0;  // for loss_e
+    const N t11 = N::fast_two_sum(N::all(0x1p+0), t10);  // for loss_e
+    const N t12 = t11 * t11;  // for loss_e
+    loss_e = quotient(t12, rise_e);  // loss_e = (1 - e)^2/rise_e
+    share_e = cancelling_sum(N::exact(N::all(0x1p+0)), -loss_e);  // share_e = 1 - loss_e
+    const N gap_e = rise_e * share_e;  // gap_e = rise_e*share_e
+    const N t13 = root_e * both_e;  // for whole_e
+    [[maybe_unused]] const N t14 = scaled(t13, 0x1p+1);  // for whole_e
+    const N t15 = N::fast_two_sum(N::all(0x1p+0), e);  // for whole_e
+    const N whole_e = t14 + t15;  // whole_e = 2*sqrt(e)*both_e + (1 + e)
+    const N t16 = quotient(N::all(0x1p+0), whole_e);  // for z_e
+    const N t17 = t16 * t16;  // for z_e
+    z_e = gap_e * t17;  // z_e = gap_e/whole_e^2
+    const N t18 = reciprocal_root(gap_e);  // for t_e
+    const N t19 = gap_e * t18;  // for t_e
+    const N t_e = quotient(t19, whole_e);  // t_e = sqrt(gap_e)/whole_e
+    t20 = arc_tangent<Tier>(t_e, z_e);  // for step_e, N_e, span_e, to_next, distance
+    const N t21 = N::exact(N::all(0x1p+0)) + z_e;  // for sine_e
+    const N t22 = quotient(t_e, t21);  // for sine_e
+    sine_e = scaled(t22, 0x1p+1);  // sine_e = 2*t_e/(1 + z_e)
   }
   [[gnu::always_inline]] void stage_2() {
-    // step_e = 2*atan(t_e)
-    [[maybe_unused]] const N step_e = scaled(t20, 0x1p+1);
+    [[maybe_unused]] const N step_e = scaled(t20, 0x1p+1);  // step_e = 2*atan(t_e)
+    // for N_e, to_next, distance
     const T t23 = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1,
         0x1.1a62633145c07p-53)) / leading(step_e));
-    const T t24 = t23 * -0x1p+1;
-    const N t25 = times(t20, t24);
+    const T t24 = t23 * -0x1p+1;  // for N_e, to_next, distance
+    const N t25 = times(t20, t24);  // for N_e, to_next, distance
+    // for N_e, to_next, distance
     t26 = near_sum(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53), t25);
     distance = magnitude(t26);
     to_next = cancelling_sum(t20, -distance);
-    const T t27 = t23 + (N::times_sign_of(N::all(0.5), leading(t26)) - 0.5);
-    const T t28 = t27 + N::all(0x1p+0);
-    // N_e = ceil(pi/step_e) - 1
-    N_e = t28 + N::all(-0x1p+0);
-    const T t29 = N_e * 0x1p+1;
-    // span_e = step_e*N_e
-    span_e = times(t20, t29);
+    const T t27 = t23 + (N::times_sign_of(N::all(0.5), leading(t26)) - 0.5);  // for N_e
+    const T t28 = t27 + N::all(0x1p+0);  // for N_e
+    N_e = t28 + N::all(-0x1p+0);  // N_e = ceil(pi/step_e) - 1
+    const T t29 = N_e * 0x1p+1;  // for span_e
+    span_e = times(t20, t29);  // span_e = step_e*N_e
     // left_e = pi - span_e
     left_e = cancelling_sum(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1,
         0x1.1a62633145c07p-53), -span_e);
-    // next_e = step_e - left_e
-    next_e = cancelling_sum(step_e, -left_e);
-    // power_e = pow_(N_e)(sqrt(e))
-    power_e = power(root_e, N_e);
-    const T t30 = N::turn(N_e);
-    const T t31 = t30 * -0x1p+0;
-    // odd_e = 1 - turn_(N_e)
-    const T odd_e = N::all(0x1p+0) + t31;
-    // even_e = 1 + turn_(N_e)
-    const T even_e = N::all(0x1p+0) + t30;
-    t32 = odd_e * 0x1p-1;
-    t33 = even_e * 0x1p-1;
-    const N t34 = times(side_e, t33);
-    // last_side_e = odd_e/2 + even_e*side_e/2
-    const N last_side_e = N::exact(t32) + t34;
-    const N t35 = times(side_e, t32);
-    // open_side_e = even_e/2 + odd_e*side_e/2
-    const N open_side_e = N::exact(t33) + t35;
-    // last_reach_e = last_side_e/sine_e
-    last_reach_e = quotient(last_side_e, sine_e);
-    // open_reach_e = open_side_e/sine_e
-    open_reach_e = quotient(open_side_e, sine_e);
-    // last_sine_e = sin(left_e)
+    next_e = cancelling_sum(step_e, -left_e);  // next_e = step_e - left_e
+    power_e = power(root_e, N_e);  // power_e = pow_(N_e)(sqrt(e))
+    const T t30 = N::turn(N_e);  // for odd_e, even_e
+    const T t31 = t30 * -0x1p+0;  // for odd_e
+    const T odd_e = N::all(0x1p+0) + t31;  // odd_e = 1 - turn_(N_e)
+    const T even_e = N::all(0x1p+0) + t30;  // even_e = 1 + turn_(N_e)
+    t32 = odd_e * 0x1p-1;  // for last_side_e, open_side_e, second_e
+    t33 = even_e * 0x1p-1;  // for last_side_e, open_side_e, second_e
+    const N t34 = times(side_e, t33);  // for last_side_e
+    const N last_side_e = N::exact(t32) + t34;  // last_side_e = odd_e/2 + even_e*side_e/2
+    const N t35 = times(side_e, t32);  // for open_side_e
+    const N open_side_e = N::exact(t33) + t35;  // open_side_e = even_e/2 + odd_e*side_e/2
+    last_reach_e = quotient(last_side_e, sine_e);  // last_reach_e = last_side_e/sine_e
+    open_reach_e = quotient(open_side_e, sine_e);  // open_reach_e = open_side_e/sine_e
     const auto of_left_e = sine_cosine<Tier>(left_e);
-    last_sine_e = of_left_e.sine;
-    // open_sine_e = sin(next_e)
+    last_sine_e = of_left_e.sine;  // last_sine_e = sin(left_e)
     const auto of_next_e = sine_cosine<Tier>(next_e);
-    open_sine_e = of_next_e.sine;
-    t37 = root_e * power_e;
+    open_sine_e = of_next_e.sine;  // open_sine_e = sin(next_e)
+    t37 = root_e * power_e;  // for parted_e
   }
   [[gnu::always_inline]] void stage_3() {
-    const N t36 = power_e * open_sine_e;
-    // kept_e = power_e*open_sine_e*open_reach_e
-    const N kept_e = t36 * open_reach_e;
-    const N t38 = t37 * last_sine_e;
-    // parted_e = sqrt(e)*power_e*last_sine_e*last_reach_e
-    const N parted_e = t38 * last_reach_e;
-    const N t39 = times(kept_e, t32);
-    const N t40 = times(parted_e, t33);
-    // second_e = odd_e*kept_e/2 + even_e*parted_e/2
-    const N second_e = t39 + t40;
-    // speeds_e = kept_e + parted_e
-    const N speeds_e = kept_e + parted_e;
-    const N t41 = times(second_e, M_C);
-    // moved_e = speeds_e + M_C*second_e
-    const N moved_e = speeds_e + t41;
-    // gained_e = 1 + moved_e
-    const N gained_e = N::exact(N::all(0x1p+0)) + moved_e;
-    // taken_e = gained_e/all_e
-    const N taken_e = quotient(gained_e, all_e);
+    const N t36 = power_e * open_sine_e;  // for kept_e
+    const N kept_e = t36 * open_reach_e;  // kept_e = power_e*open_sine_e*open_reach_e
+    const N t38 = t37 * last_sine_e;  // for parted_e
+    const N parted_e = t38 * last_reach_e;  // parted_e = sqrt(e)*power_e*last_sine_e*last_reach_e
+    const N t39 = times(kept_e, t32);  // for second_e
+    const N t40 = times(parted_e, t33);  // for second_e
+    const N second_e = t39 + t40;  // second_e = odd_e*kept_e/2 + even_e*parted_e/2
+    const N speeds_e = kept_e + parted_e;  // speeds_e = kept_e + parted_e
+    const N t41 = times(second_e, M_C);  // for moved_e
+    const N moved_e = speeds_e + t41;  // moved_e = speeds_e + M_C*second_e
+    const N gained_e = N::exact(N::all(0x1p+0)) + moved_e;  // gained_e = 1 + moved_e
+    const N taken_e = quotient(gained_e, all_e);  // taken_e = gained_e/all_e
     const N of_b_end = times(taken_e, w_B);
     const N of_a_end = cancelling_sum(of_b_end, -speeds_e);
     const N of_c_end = cancelling_sum(of_b_end, -second_e);
-    const N t42 = taken_e * taken_e;
+    const N t42 = taken_e * taken_e;  // for rho_end
     const N of_rho_end = times(t42, w_B);
     a_end = rounded(of_a_end);
     b_end = rounded(of_b_end);
@@ -203,8 +172,7 @@ struct RestitutionGeneral {
 struct Restitution {
   using Inputs = RestitutionInputs;
   using Outputs = RestitutionOutputs;
-  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
-  /// is that of doubles, or (wide) of a number type without over- and underflow.
+  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+190 :

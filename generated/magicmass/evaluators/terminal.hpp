@@ -45,11 +45,9 @@ struct TerminalColumns {
 /// Theorem: b_t = 1*b_form
 /// Theorem: c_t = 1*(2*t_minus*w_cosine)
 /// Theorem: rho = (b_t*inv(1))^2
-/// z <= 1/3: a theorem
-/// t^2 = z: a theorem
-/// rest_sine <= t_cosine: a theorem; and: rest < h/2 is tested of computed values, and both are of
+/// z <= 1/3, t^2 = z, t_cosine <= w_cosine: by theorem
+/// rest_sine <= t_cosine: by theorem; and: rest < h/2 is tested of computed values, and both are of
 ///   the computed rest
-/// t_cosine <= w_cosine: a theorem
 /// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 1,
 ///   reciprocal roots: 1, roundings to whole numbers: 1, sines: 1, sums: 5, sums of doubles: 1.
 template <class Tier, class N>
@@ -69,11 +67,11 @@ struct TerminalSmall {
       {0x1.a14p+5, 0x1.451p-171, 0x1.e73p+5, 0x1.0b6p+5, 0x1.125p+6, 0x1.e73p+7, 0x1.0b6p+7,
           0x1.173p-170, 0x1.001p+0, 0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3}};
   static constexpr const double* E = bounds[Tier::number];
-  TerminalSmall() = default;
   [[gnu::always_inline]] explicit TerminalSmall(const TerminalInputs& in) : alpha(N::all(in.alpha))
       {}
   [[gnu::always_inline]] TerminalOutputs outputs() const { return {N::to_whole(N_A),
       N::to_whole(N_B), a_t, b_t, c_t, rho}; }
+  TerminalSmall() = default;
   [[gnu::always_inline]] void load_inputs(const TerminalColumns& columns, std::size_t row) {
     alpha = load<Simd>(columns.alpha + row);
   }
@@ -91,55 +89,40 @@ struct TerminalSmall {
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    // above = 2 + alpha
-    const N above = N::fast_two_sum(N::all(0x1p+1), alpha);
-    const N t1 = times(above, alpha);
-    // w = 1/sqrt(alpha*above)
-    w = reciprocal_root(t1);
-    // z = alpha/above
-    const N z = quotient(alpha, above);
-    // t = alpha*w
-    t = times(w, alpha);
-    // half_h = atan(t)
-    half_h = arc_tangent<Tier>(t, z);
+    const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
+    const N t1 = times(above, alpha);  // for w
+    w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)
+    const N z = quotient(alpha, above);  // z = alpha/above
+    t = times(w, alpha);  // t = alpha*w
+    half_h = arc_tangent<Tier>(t, z);  // half_h = atan(t)
   }
   [[gnu::always_inline]] void stage_2() {
-    // h = 2*half_h
-    [[maybe_unused]] const N h = scaled(half_h, 0x1p+1);
+    [[maybe_unused]] const N h = scaled(half_h, 0x1p+1);  // h = 2*half_h
     // N_A = ceil(pi/(2*h) - 1/2)
     N_A = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0,
         0x1.1a62633145c07p-54)) / leading(h));
-    const T t2 = N_A * -0x1p+1;
-    const N t3 = times(half_h, t2);
+    const T t2 = N_A * -0x1p+1;  // for rest, N_B
+    const N t3 = times(half_h, t2);  // for rest, N_B
+    // for rest, N_B
     t4 = near_sum(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54), t3);
-    // rest = sqrt((pi/2 - h*N_A)^2)
-    rest = magnitude(t4);
+    rest = magnitude(t4);  // rest = sqrt((pi/2 - h*N_A)^2)
     to_next = cancelling_sum(half_h, -rest);
-    // N_B = ceil(pi/(2*h) - 1)
-    N_B = N_A + (N::times_sign_of(N::all(0.5), leading(t4)) - 0.5);
-    // rest_sine = sin(rest)
+    N_B = N_A + (N::times_sign_of(N::all(0.5), leading(t4)) - 0.5);  // N_B = ceil(pi/(2*h) - 1)
     const auto of_rest = sine_cosine_small<Tier>(rest);
-    rest_sine = of_rest.sine;
-    // rest_cosine = cos(rest)
-    rest_cosine = of_rest.cosine;
+    rest_sine = of_rest.sine;  // rest_sine = sin(rest)
+    rest_cosine = of_rest.cosine;  // rest_cosine = cos(rest)
   }
   [[gnu::always_inline]] void stage_3() {
-    // t_cosine = t*rest_cosine
-    const N t_cosine = t * rest_cosine;
-    // w_cosine = w*rest_cosine
-    const N w_cosine = w * rest_cosine;
-    // t_plus = t_cosine + rest_sine
-    const N t_plus = t_cosine + rest_sine;
-    // t_minus = t_cosine - rest_sine
-    const N t_minus = cancelling_sum(t_cosine, -rest_sine);
-    // w_plus = w_cosine + rest_sine
-    const N w_plus = w_cosine + rest_sine;
-    const N t5 = w_plus * t_cosine;
-    // b_form = 2*w_plus*t_cosine
-    [[maybe_unused]] const N b_form = scaled(t5, 0x1p+1);
-    const N t6 = t_minus * t_plus;
+    const N t_cosine = t * rest_cosine;  // t_cosine = t*rest_cosine
+    const N w_cosine = w * rest_cosine;  // w_cosine = w*rest_cosine
+    const N t_plus = t_cosine + rest_sine;  // t_plus = t_cosine + rest_sine
+    const N t_minus = cancelling_sum(t_cosine, -rest_sine);  // t_minus = t_cosine - rest_sine
+    const N w_plus = w_cosine + rest_sine;  // w_plus = w_cosine + rest_sine
+    const N t5 = w_plus * t_cosine;  // for b_form
+    [[maybe_unused]] const N b_form = scaled(t5, 0x1p+1);  // b_form = 2*w_plus*t_cosine
+    const N t6 = t_minus * t_plus;  // for a_t
     [[maybe_unused]] const N of_a_t = -t6;
-    const N t7 = t_minus * w_cosine;
+    const N t7 = t_minus * w_cosine;  // for c_t
     [[maybe_unused]] const N of_c_t = scaled(t7, 0x1p+1);
     const N of_rho = b_form * b_form;
     a_t = rounded_by<Tier>(of_a_t, size_of(t_plus) * E[0] + E[1], doubt);
@@ -172,27 +155,22 @@ struct TerminalFirst {
       {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
       {0x1.401p+2, 0x1.c01p+4, 0x1.001p+4, 0x1.c01p+3}};
   static constexpr const double* E = bounds[Tier::number];
-  TerminalFirst() = default;
   [[gnu::always_inline]] explicit TerminalFirst(const TerminalInputs& in) : alpha(N::all(in.alpha))
       {}
   [[gnu::always_inline]] TerminalOutputs outputs() const { return {N::to_whole(N::all(0x1p+0)),
       N::to_whole(N::all(0x1p+0)), a_t, b_t, c_t, rho}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    // masses = 1 + alpha
-    const N masses = N::fast_two_sum(alpha, N::all(0x1p+0));
-    // per_mass = 1/masses
-    const N per_mass = quotient(N::all(0x1p+0), masses);
-    // share = alpha*per_mass
-    const N share = times(per_mass, alpha);
-    const T t1 = alpha * -0x1p+0;
-    // lead = 1 - alpha
-    const N lead = N::fast_two_sum(t1, N::all(0x1p+0));
+    const N masses = N::fast_two_sum(alpha, N::all(0x1p+0));  // masses = 1 + alpha
+    const N per_mass = quotient(N::all(0x1p+0), masses);  // per_mass = 1/masses
+    const N share = times(per_mass, alpha);  // share = alpha*per_mass
+    const T t1 = alpha * -0x1p+0;  // for lead
+    const N lead = N::fast_two_sum(t1, N::all(0x1p+0));  // lead = 1 - alpha
     of_a_t = lead * per_mass;
-    t2 = share * per_mass;
+    t2 = share * per_mass;  // for b_t, rho
     of_b_t = scaled(t2, 0x1p+2);
-    const N t3 = per_mass * per_mass;
-    t4 = lead * t3;
+    const N t3 = per_mass * per_mass;  // for c_t
+    t4 = lead * t3;  // for c_t
     of_c_t = scaled(t4, -0x1p+1);
     of_rho = of_b_t * of_b_t;
   }
@@ -212,8 +190,7 @@ struct Terminal {
   using Columns = TerminalColumns;
   template <class Tier, class N>
   using Main = TerminalSmall<Tier, N>;
-  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
-  /// is that of doubles, or (wide) of a number type without over- and underflow.
+  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.alpha <=

@@ -43,9 +43,7 @@ struct VelocitiesColumns {
 /// Theorem: b_n = 1*(2*along_n*t_sine_n)
 /// Theorem: c_n = 1*(2*plus_n*w_sine_n)
 /// Theorem: c'_n = 1*(-2*minus_n*w_sine_n)
-/// z <= 1/3: a theorem
-/// t^2 = z: a theorem
-/// t_sine_n <= w_sine_n: a theorem
+/// z <= 1/3, t^2 = z, t_sine_n <= w_sine_n: by theorem
 /// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 1,
 ///   reciprocal roots: 1, sines: 1, sums: 3, sums of doubles: 1.
 template <class Tier, class N>
@@ -61,10 +59,10 @@ struct VelocitiesSmall {
       {0x1.197p-95, 0x1.15dp-95, 0x1.2d7p-190, 0x1.473p-94, 0x1.65p-94, 0x1.0ep-93, 0x1.c8ep-94},
       {0x1.596p+4, 0x1.36ep+4, 0x1.798p-172, 0x1.819p+5, 0x1.986p+5, 0x1.338p+6, 0x1.035p+6}};
   static constexpr const double* E = bounds[Tier::number];
-  VelocitiesSmall() = default;
   [[gnu::always_inline]] explicit VelocitiesSmall(const VelocitiesInputs& in) :
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
   [[gnu::always_inline]] VelocitiesOutputs outputs() const { return {a, b, c, c_prime}; }
+  VelocitiesSmall() = default;
   [[gnu::always_inline]] void load_inputs(const VelocitiesColumns& columns, std::size_t row) {
     alpha = load<Simd>(columns.alpha + row);
     n = to_real(load<SimdMask>(columns.n + row));
@@ -83,45 +81,32 @@ struct VelocitiesSmall {
   }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    // above = 2 + alpha
-    const N above = N::fast_two_sum(N::all(0x1p+1), alpha);
-    const N t1 = times(above, alpha);
-    // w = 1/sqrt(alpha*above)
-    w = reciprocal_root(t1);
-    // z = alpha/above
-    const N z = quotient(alpha, above);
-    // t = alpha*w
-    t = times(w, alpha);
-    // half_h = atan(t)
-    half_h = arc_tangent<Tier>(t, z);
-    t2 = n * 0x1p+1;
+    const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
+    const N t1 = times(above, alpha);  // for w
+    w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)
+    const N z = quotient(alpha, above);  // z = alpha/above
+    t = times(w, alpha);  // t = alpha*w
+    half_h = arc_tangent<Tier>(t, z);  // half_h = atan(t)
+    t2 = n * 0x1p+1;  // for phase
   }
   [[gnu::always_inline]] void stage_2() {
-    // phase_n = 2*half_h*n
-    phase = times(half_h, t2);
-    // sine_n = sin(phase_n)
+    phase = times(half_h, t2);  // phase_n = 2*half_h*n
     const auto of_phase = sine_cosine<Tier>(phase);
-    sine = of_phase.sine;
-    // cosine_n = cos(phase_n)
-    cosine = of_phase.cosine;
+    sine = of_phase.sine;  // sine_n = sin(phase_n)
+    cosine = of_phase.cosine;  // cosine_n = cos(phase_n)
   }
   [[gnu::always_inline]] void stage_3() {
-    // t_sine_n = t*sine_n
-    const N t_sine = t * sine;
-    // w_sine_n = w*sine_n
-    const N w_sine = w * sine;
-    // plus_n = cosine_n + t_sine_n
-    const N plus = cancelling_sum(cosine, t_sine);
-    // minus_n = cosine_n - t_sine_n
-    const N minus = cancelling_sum(cosine, -t_sine);
-    // along_n = cosine_n + w_sine_n
-    const N along = cancelling_sum(cosine, w_sine);
+    const N t_sine = t * sine;  // t_sine_n = t*sine_n
+    const N w_sine = w * sine;  // w_sine_n = w*sine_n
+    const N plus = cancelling_sum(cosine, t_sine);  // plus_n = cosine_n + t_sine_n
+    const N minus = cancelling_sum(cosine, -t_sine);  // minus_n = cosine_n - t_sine_n
+    const N along = cancelling_sum(cosine, w_sine);  // along_n = cosine_n + w_sine_n
     const N of_a = plus * minus;
-    const N t3 = along * t_sine;
+    const N t3 = along * t_sine;  // for b
     [[maybe_unused]] const N of_b = scaled(t3, 0x1p+1);
-    const N t4 = plus * w_sine;
+    const N t4 = plus * w_sine;  // for c
     [[maybe_unused]] const N of_c = scaled(t4, 0x1p+1);
-    const N t5 = minus * w_sine;
+    const N t5 = minus * w_sine;  // for c_prime
     [[maybe_unused]] const N of_c_prime = scaled(t5, -0x1p+1);
     a = rounded_by<Tier>(of_a, size_of(plus) * E[0] + size_of(minus) * E[1] + E[2], doubt);
     b = rounded_by<Tier>(of_b, size_of(t_sine) * (size_of(w_sine) * E[3] + E[4]), doubt);
@@ -149,27 +134,22 @@ struct VelocitiesFirst {
       {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
       {0x1.401p+2, 0x1.c01p+4, 0x1.801p+2, 0x1.001p+4}};
   static constexpr const double* E = bounds[Tier::number];
-  VelocitiesFirst() = default;
   [[gnu::always_inline]] explicit VelocitiesFirst(const VelocitiesInputs& in) :
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
   [[gnu::always_inline]] VelocitiesOutputs outputs() const { return {a, b, c, c_prime}; }
   [[gnu::always_inline]] void stage_1() {
     doubt = R{};
-    // masses = 1 + alpha
-    const N masses = N::fast_two_sum(alpha, N::all(0x1p+0));
-    // per_mass = 1/masses
-    per_mass = quotient(N::all(0x1p+0), masses);
-    // share = alpha*per_mass
-    const N share = times(per_mass, alpha);
-    const T t1 = alpha * -0x1p+0;
-    // lead = 1 - alpha
-    const N lead = N::fast_two_sum(t1, N::all(0x1p+0));
+    const N masses = N::fast_two_sum(alpha, N::all(0x1p+0));  // masses = 1 + alpha
+    per_mass = quotient(N::all(0x1p+0), masses);  // per_mass = 1/masses
+    const N share = times(per_mass, alpha);  // share = alpha*per_mass
+    const T t1 = alpha * -0x1p+0;  // for lead
+    const N lead = N::fast_two_sum(t1, N::all(0x1p+0));  // lead = 1 - alpha
     of_a = lead * per_mass;
-    t2 = share * per_mass;
+    t2 = share * per_mass;  // for b
     of_b = scaled(t2, 0x1p+2);
     of_c = scaled(per_mass, 0x1p+1);
-    const N t3 = per_mass * per_mass;
-    t4 = lead * t3;
+    const N t3 = per_mass * per_mass;  // for c_prime
+    t4 = lead * t3;  // for c_prime
     of_c_prime = scaled(t4, -0x1p+1);
   }
   [[gnu::always_inline]] void stage_2() {
@@ -188,8 +168,7 @@ struct Velocities {
   using Columns = VelocitiesColumns;
   template <class Tier, class N>
   using Main = VelocitiesSmall<Tier, N>;
-  /// f.operator()<Case>() of the case that holds the inputs, or 1: a doubt. The domain
-  /// is that of doubles, or (wide) of a number type without over- and underflow.
+  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <=

@@ -25,27 +25,23 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) {
   using std::atan, std::cos, std::sin, std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+20) && n >= 0 && n <= 1125899906842624) {
-    const Number t1 = Number(2) + alpha;
-    // psi = 2*atan(sqrt(alpha*(2 + alpha)))
-    const Number psi = Number(2) * atan(sqrt(alpha * t1));
-    // V_CM = 1*(1/(2 + alpha))
-    const Number V_CM = Number(1) / t1;
-    const Number t8 = cos(psi / Number(2));
-    // a_n = V_CM*(1 + cos(n*psi)/cos(psi/2))
-    const Number a = V_CM * (Number(1) + cos(Number(n) * psi) / t8);
-    // b_n = V_CM*(1 - cos((n + 1/2)*psi)/cos(psi/2))
-    const Number b = V_CM * (Number(1) - cos((Number(n) + Number(1) / Number(2)) * psi) / t8);
-    const Number t20 = sin(psi / Number(4));
-    // c_n = V_CM*(1 + sin((n - 1/4)*psi)/sin(psi/4))
-    const Number c = V_CM * (Number(1) + sin((Number(n) - Number(1) / Number(4)) * psi) / t20);
-    // c'_n = V_CM*(1 - sin((n + 1/4)*psi)/sin(psi/4))
-    const Number c_prime = V_CM * (Number(1) - sin((Number(n) + Number(1) / Number(4)) * psi) /
-        t20);
-    return {a, b, c, c_prime};
-  }
-  throw std::domain_error("velocities_closed: allowed: "
-      "alpha from 0x1p-300 to 0x1p+20, n from 0 to 1125899906842624");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+20) && n >= 0 && n <= 1125899906842624))
+    throw std::domain_error("velocities_closed: "
+        "allowed: alpha from 0x1p-300 to 0x1p+20, n from 0 to 1125899906842624");
+  const Number t1 = Number(2) + alpha;  // for psi, V_CM
+  const Number psi = Number(2) * atan(sqrt(alpha * t1));  // psi = 2*atan(sqrt(alpha*(2 + alpha)))
+  const Number V_CM = Number(1) / t1;  // V_CM = 1*(1/(2 + alpha))
+  const Number t8 = cos(psi / Number(2));  // for a, b
+  // a_n = V_CM*(1 + cos(n*psi)/cos(psi/2))
+  const Number a = V_CM * (Number(1) + cos(Number(n) * psi) / t8);
+  // b_n = V_CM*(1 - cos((n + 1/2)*psi)/cos(psi/2))
+  const Number b = V_CM * (Number(1) - cos((Number(n) + Number(1) / Number(2)) * psi) / t8);
+  const Number t20 = sin(psi / Number(4));  // for c, c_prime
+  // c_n = V_CM*(1 + sin((n - 1/4)*psi)/sin(psi/4))
+  const Number c = V_CM * (Number(1) + sin((Number(n) - Number(1) / Number(4)) * psi) / t20);
+  // c'_n = V_CM*(1 - sin((n + 1/4)*psi)/sin(psi/4))
+  const Number c_prime = V_CM * (Number(1) - sin((Number(n) + Number(1) / Number(4)) * psi) / t20);
+  return {a, b, c, c_prime};
 }
 template <class Number>
 struct TerminalClosed {
@@ -62,27 +58,21 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 TerminalClosed<Number> terminal_closed(const Number& alpha) {
   using std::atan, std::ceil, std::cos, std::sqrt;
-  if (alpha >= Number(0x1p-40) && alpha <= Number(0x1p+20)) {
-    const Number t1 = Number(2) + alpha;
-    // psi = 2*atan(sqrt(alpha*(2 + alpha)))
-    const Number psi = Number(2) * atan(sqrt(alpha * t1));
-    const Number t5 = Number(4) * atan(Number(1)) / psi;
-    // N_A = ceil(pi/psi - 1/2)
-    const Number N_A = ceil(t5 - Number(1) / Number(2));
-    // N_B = ceil(pi/psi - 1)
-    const Number N_B = ceil(t5 - Number(1));
-    const Number t8 = Number(1) + alpha;
-    // a_t = 1*(1/(2 + alpha))*(1 + (1 + alpha)*cos(N_A*psi))
-    const Number a_t = (Number(1) + t8 * cos(N_A * psi)) / t1;
-    // b_t = 1*(1/(2 + alpha))*(1 - (1 + alpha)*cos((N_B + 1/2)*psi))
-    const Number b_t = (Number(1) - t8 * cos((N_B + Number(1) / Number(2)) * psi)) / t1;
-    // c_t = (1 - a_t - b_t)/alpha
-    const Number c_t = (Number(1) - a_t - b_t) / alpha;
-    // rho = (b_t*inv(1))^2
-    const Number rho = b_t * b_t;
-    return {N_A, N_B, a_t, b_t, c_t, rho};
-  }
-  throw std::domain_error("terminal_closed: allowed: alpha from 0x1p-40 to 0x1p+20");
+  if (!(alpha >= Number(0x1p-40) && alpha <= Number(0x1p+20)))
+    throw std::domain_error("terminal_closed: allowed: alpha from 0x1p-40 to 0x1p+20");
+  const Number t1 = Number(2) + alpha;  // for psi, a_t, b_t
+  const Number psi = Number(2) * atan(sqrt(alpha * t1));  // psi = 2*atan(sqrt(alpha*(2 + alpha)))
+  const Number t5 = Number(4) * atan(Number(1)) / psi;  // for N_A, N_B
+  const Number N_A = ceil(t5 - Number(1) / Number(2));  // N_A = ceil(pi/psi - 1/2)
+  const Number N_B = ceil(t5 - Number(1));  // N_B = ceil(pi/psi - 1)
+  const Number t8 = Number(1) + alpha;  // for a_t, b_t
+  // a_t = 1*(1/(2 + alpha))*(1 + (1 + alpha)*cos(N_A*psi))
+  const Number a_t = (Number(1) + t8 * cos(N_A * psi)) / t1;
+  // b_t = 1*(1/(2 + alpha))*(1 - (1 + alpha)*cos((N_B + 1/2)*psi))
+  const Number b_t = (Number(1) - t8 * cos((N_B + Number(1) / Number(2)) * psi)) / t1;
+  const Number c_t = (Number(1) - a_t - b_t) / alpha;  // c_t = (1 - a_t - b_t)/alpha
+  const Number rho = b_t * b_t;  // rho = (b_t*inv(1))^2
+  return {N_A, N_B, a_t, b_t, c_t, rho};
 }
 template <class Number>
 struct AngleClosed {
@@ -95,12 +85,11 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 AngleClosed<Number> angle_closed(const Number& alpha) {
   using std::atan, std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    // psi = 2*atan(sqrt(alpha*(2 + alpha)))
-    const Number psi = Number(2) * atan(sqrt(alpha * (Number(2) + alpha)));
-    return {psi};
-  }
-  throw std::domain_error("angle_closed: allowed: alpha from 0x1p-300 to 0x1p+300");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)))
+    throw std::domain_error("angle_closed: allowed: alpha from 0x1p-300 to 0x1p+300");
+  // psi = 2*atan(sqrt(alpha*(2 + alpha)))
+  const Number psi = Number(2) * atan(sqrt(alpha * (Number(2) + alpha)));
+  return {psi};
 }
 template <class Number>
 struct MagicClosed {
@@ -113,13 +102,12 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 MagicClosed<Number> magic_closed(std::int64_t k) {
   using std::atan, std::cos;
-  if (k >= 1 && k <= 1125899906842624) {
-    // alpha_k = -1 + 1/cos(pi/(2*k + 1))
-    const Number alpha_ = Number(-1) + Number(1) / cos(Number(4) * atan(Number(1)) / (Number(2) *
-        Number(k) + Number(1)));
-    return {alpha_};
-  }
-  throw std::domain_error("magic_closed: allowed: k from 1 to 1125899906842624");
+  if (!(k >= 1 && k <= 1125899906842624))
+    throw std::domain_error("magic_closed: allowed: k from 1 to 1125899906842624");
+  // alpha_k = -1 + 1/cos(pi/(2*k + 1))
+  const Number alpha_ = Number(-1) + Number(1) / cos(Number(4) * atan(Number(1)) / (Number(2) *
+      Number(k) + Number(1)));
+  return {alpha_};
 }
 template <class Number>
 struct DeficientClosed {
@@ -132,12 +120,11 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 DeficientClosed<Number> deficient_closed(std::int64_t k) {
   using std::atan, std::cos;
-  if (k >= 1 && k <= 1125899906842624) {
-    // beta_k = -1 + 1/cos(pi/(2*k + 2))
-    const Number beta_ = Number(-1) + Number(1) / cos(Number(4) * atan(Number(1)) / (Number(2) *
-        Number(k) + Number(2)));
-    return {beta_};
-  }
-  throw std::domain_error("deficient_closed: allowed: k from 1 to 1125899906842624");
+  if (!(k >= 1 && k <= 1125899906842624))
+    throw std::domain_error("deficient_closed: allowed: k from 1 to 1125899906842624");
+  // beta_k = -1 + 1/cos(pi/(2*k + 2))
+  const Number beta_ = Number(-1) + Number(1) / cos(Number(4) * atan(Number(1)) / (Number(2) *
+      Number(k) + Number(2)));
+  return {beta_};
 }
 }  // namespace magicmass::generated

@@ -20,16 +20,15 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
   using std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    const Number t2 = Number(1) + alpha;
-    // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
-    //   alpha)/(1 + alpha)]
-    const Number Gamma_11 = (Number(1) - alpha) / t2;
-    const Number Gamma_12 = Number(2) * sqrt(alpha) / t2;
-    return {{{Gamma_11, Number(0), Gamma_12}, {Number(0), Number(1), Number(0)}, {Gamma_12,
-        Number(0), -Gamma_11}}};
-  }
-  throw std::domain_error("Gamma_A: allowed: alpha from 0x1p-300 to 0x1p+300");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)))
+    throw std::domain_error("Gamma_A: allowed: alpha from 0x1p-300 to 0x1p+300");
+  const Number t2 = Number(1) + alpha;  // for Gamma_11, Gamma_A
+  // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
+  //   alpha)/(1 + alpha)]
+  const Number Gamma_11 = (Number(1) - alpha) / t2;
+  const Number Gamma_12 = Number(2) * sqrt(alpha) / t2;
+  return {{{Gamma_11, Number(0), Gamma_12}, {Number(0), Number(1), Number(0)}, {Gamma_12, Number(0),
+      -Gamma_11}}};
 }
 /// Gamma_B (eq:Gamma): Gamma_B. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: ball.Gamma, cycle.Gamma_B.
@@ -38,16 +37,15 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
   using std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    const Number t2 = Number(1) + alpha;
-    // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
-    //   alpha)/(1 + alpha)]
-    const Number Gamma_11 = (Number(1) - alpha) / t2;
-    const Number Gamma_12 = Number(2) * sqrt(alpha) / t2;
-    return {{{Number(1), Number(0), Number(0)}, {Number(0), Gamma_11, Gamma_12}, {Number(0),
-        Gamma_12, -Gamma_11}}};
-  }
-  throw std::domain_error("Gamma_B: allowed: alpha from 0x1p-300 to 0x1p+300");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)))
+    throw std::domain_error("Gamma_B: allowed: alpha from 0x1p-300 to 0x1p+300");
+  const Number t2 = Number(1) + alpha;  // for Gamma_11, Gamma_B
+  // Gamma = [(1 - alpha)/(1 + alpha), 2*sqrt(alpha)/(1 + alpha); 2*sqrt(alpha)/(1 + alpha), -(1 -
+  //   alpha)/(1 + alpha)]
+  const Number Gamma_11 = (Number(1) - alpha) / t2;
+  const Number Gamma_12 = Number(2) * sqrt(alpha) / t2;
+  return {{{Number(1), Number(0), Number(0)}, {Number(0), Gamma_11, Gamma_12}, {Number(0), Gamma_12,
+      -Gamma_11}}};
 }
 /// Lambda (eq:Lambda): Lambda. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: cycle.Lambda.
@@ -56,21 +54,20 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
   using std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    const Number t1 = Number(1) - alpha;
-    const Number t2 = Number(1) + alpha;
-    // Lambda = [(1 - alpha)/(1 + alpha), 0, 2*sqrt(alpha)/(1 + alpha); 4*alpha/(1 + alpha)^2, (1 -
-    //   alpha)/(1 + alpha), -2*sqrt(alpha)*(1 - alpha)/(1 + alpha)^2; -2*sqrt(alpha)*(1 - alpha)/(1
-    //   + alpha)^2, 2*sqrt(alpha)/(1 + alpha), (1 - alpha)^2/(1 + alpha)^2]
-    const Number Lambda_11 = t1 / t2;
-    const Number t4 = Number(2) * sqrt(alpha);
-    const Number Lambda_13 = t4 / t2;
-    const Number t6 = Number(1) / t2;
-    const Number t7 = t6 * t6;
-    return {{{Lambda_11, Number(0), Lambda_13}, {Number(4) * alpha * t7, Lambda_11, -t4 * t1 * t7},
-        {-t4 * t1 * t7, Lambda_13, t1 * t1 * t7}}};
-  }
-  throw std::domain_error("Lambda: allowed: alpha from 0x1p-300 to 0x1p+300");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)))
+    throw std::domain_error("Lambda: allowed: alpha from 0x1p-300 to 0x1p+300");
+  const Number t1 = Number(1) - alpha;  // for Lambda_11, Lambda
+  const Number t2 = Number(1) + alpha;  // for Lambda_11, Lambda
+  // Lambda = [(1 - alpha)/(1 + alpha), 0, 2*sqrt(alpha)/(1 + alpha); 4*alpha/(1 + alpha)^2, (1 -
+  //   alpha)/(1 + alpha), -2*sqrt(alpha)*(1 - alpha)/(1 + alpha)^2; -2*sqrt(alpha)*(1 - alpha)/(1 +
+  //   alpha)^2, 2*sqrt(alpha)/(1 + alpha), (1 - alpha)^2/(1 + alpha)^2]
+  const Number Lambda_11 = t1 / t2;
+  const Number t4 = Number(2) * sqrt(alpha);  // for Lambda
+  const Number Lambda_13 = t4 / t2;
+  const Number t6 = Number(1) / t2;  // for Lambda
+  const Number t7 = t6 * t6;  // for Lambda
+  return {{{Lambda_11, Number(0), Lambda_13}, {Number(4) * alpha * t7, Lambda_11, -t4 * t1 * t7},
+      {-t4 * t1 * t7, Lambda_13, t1 * t1 * t7}}};
 }
 /// R (def:R): R. Domain: alpha from 0x1p-300 to 0x1p+300.
 /// Theorems: rotation.R.
@@ -79,20 +76,19 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
   using std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    const Number t1 = sqrt(Number(2));
-    const Number R_21 = Number(1) / t1;
-    // R = [-1/sqrt(2), -sqrt(alpha)/(sqrt(2 + alpha)*sqrt(2)), 1/sqrt(2 + alpha); 1/sqrt(2),
-    //   -sqrt(alpha)/(sqrt(2 + alpha)*sqrt(2)), 1/sqrt(2 + alpha); 0, 2/(sqrt(2 + alpha)*sqrt(2)),
-    //   sqrt(alpha)/sqrt(2 + alpha)]
-    const Number R_11 = -R_21;
-    const Number t4 = sqrt(Number(2) + alpha);
-    const Number R_33 = sqrt(alpha) / t4;
-    const Number R_13 = Number(1) / t4;
-    return {{{R_11, -R_33 / t1, R_13}, {R_21, -R_33 / t1, R_13}, {Number(0), Number(2) / t4 / t1,
-        R_33}}};
-  }
-  throw std::domain_error("R: allowed: alpha from 0x1p-300 to 0x1p+300");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)))
+    throw std::domain_error("R: allowed: alpha from 0x1p-300 to 0x1p+300");
+  const Number t1 = sqrt(Number(2));  // for R_11, R
+  const Number R_21 = Number(1) / t1;
+  // R = [-1/sqrt(2), -sqrt(alpha)/(sqrt(2 + alpha)*sqrt(2)), 1/sqrt(2 + alpha); 1/sqrt(2),
+  //   -sqrt(alpha)/(sqrt(2 + alpha)*sqrt(2)), 1/sqrt(2 + alpha); 0, 2/(sqrt(2 + alpha)*sqrt(2)),
+  //   sqrt(alpha)/sqrt(2 + alpha)]
+  const Number R_11 = -R_21;
+  const Number t4 = sqrt(Number(2) + alpha);  // for R
+  const Number R_33 = sqrt(alpha) / t4;
+  const Number R_13 = Number(1) / t4;
+  return {{{R_11, -R_33 / t1, R_13}, {R_21, -R_33 / t1, R_13}, {Number(0), Number(2) / t4 / t1,
+      R_33}}};
 }
 /// lambda_3 (eq:lambda-3): lambda_3. Domain: x from -0x1p+50 to 0x1p+50.
 /// Theorems: rotation.lambda_3.
@@ -101,13 +97,12 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 std::array<std::array<Number, 3>, 3> lambda_3(const Number& x) {
   using std::cos, std::sin;
-  if (x >= Number(-0x1p+50) && x <= Number(0x1p+50)) {
-    // lambda_3(x) = [cos(x), -sin(x), 0; sin(x), cos(x), 0; 0, 0, 1]
-    const Number lambda_3_11 = cos(x);
-    const Number lambda_3_21 = sin(x);
-    return {{{lambda_3_11, -lambda_3_21, Number(0)}, {lambda_3_21, lambda_3_11, Number(0)},
-        {Number(0), Number(0), Number(1)}}};
-  }
-  throw std::domain_error("lambda_3: allowed: x from -0x1p+50 to 0x1p+50");
+  if (!(x >= Number(-0x1p+50) && x <= Number(0x1p+50)))
+    throw std::domain_error("lambda_3: allowed: x from -0x1p+50 to 0x1p+50");
+  // lambda_3(x) = [cos(x), -sin(x), 0; sin(x), cos(x), 0; 0, 0, 1]
+  const Number lambda_3_11 = cos(x);
+  const Number lambda_3_21 = sin(x);
+  return {{{lambda_3_11, -lambda_3_21, Number(0)}, {lambda_3_21, lambda_3_11, Number(0)},
+      {Number(0), Number(0), Number(1)}}};
 }
 }  // namespace magicmass::generated

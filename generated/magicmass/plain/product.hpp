@@ -26,31 +26,28 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n) {
   using std::atan, std::cos, std::sin, std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
-    const Number t1 = Number(2) + alpha;
-    // psi = 2*atan(sqrt(alpha*(2 + alpha)))
-    const Number psi = Number(2) * atan(sqrt(alpha * t1));
-    // V_CM = 1*(1/(2 + alpha))
-    const Number V_CM = Number(1) / t1;
-    const Number t5 = Number(2) * V_CM;
-    const Number t7 = t5 * (Number(1) + alpha);
-    const Number t9 = psi / Number(2);
-    const Number t11 = cos((Number(n) + Number(1) / Number(2)) * t9);
-    const Number t15 = cos((Number(n) - Number(1) / Number(2)) * t9);
-    // a_n = 2*V_CM*(1 + alpha)*cos((n + 1/2)*(psi/2))*cos((n - 1/2)*(psi/2))
-    const Number a = t7 * t11 * t15;
-    const Number t21 = sin(Number(n) * t9);
-    // b_n = 2*V_CM*(1 + alpha)*sin((n + 1)*(psi/2))*sin(n*(psi/2))
-    const Number b = t7 * sin((Number(n) + Number(1)) * t9) * t21;
-    const Number t22 = t5 * t21;
-    const Number t25 = sin(psi / Number(4));
-    // c_n = 2*V_CM*sin(n*(psi/2))*cos((n - 1/2)*(psi/2))/sin(psi/4)
-    const Number c = t22 * t15 / t25;
-    // c'_n = -2*V_CM*sin(n*(psi/2))*cos((n + 1/2)*(psi/2))/sin(psi/4)
-    const Number c_prime = -t22 * t11 / t25;
-    return {a, b, c, c_prime};
-  }
-  throw std::domain_error("velocities_product: allowed: "
-      "alpha from 0x1p-300 to 0x1p+300, n from 0 to 1125899906842624");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624))
+    throw std::domain_error("velocities_product: "
+        "allowed: alpha from 0x1p-300 to 0x1p+300, n from 0 to 1125899906842624");
+  const Number t1 = Number(2) + alpha;  // for psi, V_CM
+  const Number psi = Number(2) * atan(sqrt(alpha * t1));  // psi = 2*atan(sqrt(alpha*(2 + alpha)))
+  const Number V_CM = Number(1) / t1;  // V_CM = 1*(1/(2 + alpha))
+  const Number t5 = Number(2) * V_CM;  // for a, b, c, c_prime
+  const Number t7 = t5 * (Number(1) + alpha);  // for a, b
+  const Number t9 = psi / Number(2);  // for a, b, c, c_prime
+  const Number t11 = cos((Number(n) + Number(1) / Number(2)) * t9);  // for a, c_prime
+  const Number t15 = cos((Number(n) - Number(1) / Number(2)) * t9);  // for a, c
+  // a_n = 2*V_CM*(1 + alpha)*cos((n + 1/2)*(psi/2))*cos((n - 1/2)*(psi/2))
+  const Number a = t7 * t11 * t15;
+  const Number t21 = sin(Number(n) * t9);  // for b, c, c_prime
+  // b_n = 2*V_CM*(1 + alpha)*sin((n + 1)*(psi/2))*sin(n*(psi/2))
+  const Number b = t7 * sin((Number(n) + Number(1)) * t9) * t21;
+  const Number t22 = t5 * t21;  // for c, c_prime
+  const Number t25 = sin(psi / Number(4));  // for c, c_prime
+  // c_n = 2*V_CM*sin(n*(psi/2))*cos((n - 1/2)*(psi/2))/sin(psi/4)
+  const Number c = t22 * t15 / t25;
+  // c'_n = -2*V_CM*sin(n*(psi/2))*cos((n + 1/2)*(psi/2))/sin(psi/4)
+  const Number c_prime = -t22 * t11 / t25;
+  return {a, b, c, c_prime};
 }
 }  // namespace magicmass::generated

@@ -27,22 +27,16 @@ template <class Number>
 AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e) {
   using std::atan, std::sqrt;
-  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+  if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
-      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0)) {
-    // r_A = sqrt(M_A/(M_A + M_C))
-    const Number r_A = sqrt(M_A / (M_A + M_C));
-    // r_B = sqrt(1/(1 + w_B*M_C))
-    const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
-    const Number kappa = (Number(1) + e) * r_A * r_B / sqrt(e) / Number(2);
-    // h_e = atan(sqrt(q_e)/kappa)
-    const Number h_e = atan(sqrt(q_e) / kappa);
-    return {h_e};
-  }
-  throw std::domain_error("angle_restitution: allowed: "
-      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0");
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0)))
+    throw std::domain_error("angle_restitution: outside of the domain that its comment states");
+  const Number r_A = sqrt(M_A / (M_A + M_C));  // r_A = sqrt(M_A/(M_A + M_C))
+  const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));  // r_B = sqrt(1/(1 + w_B*M_C))
+  // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
+  const Number kappa = (Number(1) + e) * r_A * r_B / sqrt(e) / Number(2);
+  const Number h_e = atan(sqrt(q_e) / kappa);  // h_e = atan(sqrt(q_e)/kappa)
+  return {h_e};
 }
 template <class Number>
 struct CountRestitution {
@@ -62,38 +56,27 @@ template <class Number>
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W) {
   using std::atan, std::ceil, std::sin, std::sqrt;
-  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+  if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
       h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
-      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32)) {
-    // r_A = sqrt(M_A/(M_A + M_C))
-    const Number r_A = sqrt(M_A / (M_A + M_C));
-    // r_B = sqrt(1/(1 + w_B*M_C))
-    const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    const Number t7 = sqrt(e);
-    // r_e = r_B/(r_A*sqrt(e))
-    const Number r_e = r_B / r_A / t7;
-    // step_sine = sin(h_e)
-    const Number step_sine = sin(h_e);
-    // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
-    const Number kappa = (Number(1) + e) * r_A * r_B / t7 / Number(2);
-    // phase_e = pi/2 - atan((kappa + W/V*r_e)/step_sine)
-    const Number phase_e = Number(4) * atan(Number(1)) / Number(2) - atan((kappa + W * r_e / V) /
-        step_sine);
-    // N_any = ceil((pi - phase_e)/h_e + 1) - 1
-    const Number N_any = ceil((Number(4) * atan(Number(1)) - phase_e) / h_e + Number(1)) -
-        Number(1);
-    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-      throw std::domain_error("count_restitution: "
-          "step_sine must be between 0x1p-128 and 0x1p+1");
-    return {N_any};
-  }
-  throw std::domain_error("count_restitution: allowed: "
-      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A, w_B, "
-      "M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, "
-      "step_sine between 0x1p-128 and 0x1p+1");
+      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32)))
+    throw std::domain_error("count_restitution: outside of the domain that its comment states");
+  const Number r_A = sqrt(M_A / (M_A + M_C));  // r_A = sqrt(M_A/(M_A + M_C))
+  const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));  // r_B = sqrt(1/(1 + w_B*M_C))
+  const Number t7 = sqrt(e);  // for r_e, kappa
+  const Number r_e = r_B / r_A / t7;  // r_e = r_B/(r_A*sqrt(e))
+  const Number step_sine = sin(h_e);  // step_sine = sin(h_e)
+  // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
+  const Number kappa = (Number(1) + e) * r_A * r_B / t7 / Number(2);
+  // phase_e = pi/2 - atan((kappa + W/V*r_e)/step_sine)
+  const Number phase_e = Number(4) * atan(Number(1)) / Number(2) - atan((kappa + W * r_e / V) /
+      step_sine);
+  // N_any = ceil((pi - phase_e)/h_e + 1) - 1
+  const Number N_any = ceil((Number(4) * atan(Number(1)) - phase_e) / h_e + Number(1)) - Number(1);
+  if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
+    throw std::domain_error("count_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
+  return {N_any};
 }
 template <class Number>
 struct AtRestitution {
@@ -117,73 +100,56 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
     d_A, const Number& d_B, const Number& tau, std::int64_t j, const Number& turn, const Number&
     pow) {
   using std::sin, std::sqrt;
-  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+  if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
       h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
       Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32) && d_A >= Number(0x0p+0) &&
       d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) && d_B <= Number(0x1p+32) && tau >=
       Number(0x0p+0) && tau <= Number(0x1p+32) && j >= 0 && j <= 4611686018427387904 && turn >=
-      Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <= Number(0x1p+0)) {
-    const Number t1 = M_A + M_C;
-    // r_A = sqrt(M_A/(M_A + M_C))
-    const Number r_A = sqrt(M_A / t1);
-    // r_B = sqrt(1/(1 + w_B*M_C))
-    const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    const Number t7 = sqrt(e);
-    // r_e = r_B/(r_A*sqrt(e))
-    const Number r_e = r_B / r_A / t7;
-    // step_sine = sin(h_e)
-    const Number step_sine = sin(h_e);
-    const Number t8 = Number(1) + turn;
-    const Number t10 = Number(1) - turn;
-    const Number t11 = r_A / r_B;
-    // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
-    const Number now_side = t8 / Number(2) + t10 * t11 / Number(2);
-    // later_side_j = (1 - turn_j)/2 + (1 + turn_j)*(r_A/r_B)/2
-    const Number later_side = t10 / Number(2) + t8 * t11 / Number(2);
-    // last_sine_j = sin(j*h_e)
-    const Number last_sine = sin(Number(j) * h_e);
-    // now_sine_j = sin((j + 1)*h_e)
-    const Number now_sine = sin((Number(j) + Number(1)) * h_e);
-    // later_sine_j = sin((j + 2)*h_e)
-    const Number later_sine = sin((Number(j) + Number(2)) * h_e);
-    const Number t24 = V * tau - d_A;
-    const Number t27 = W * tau - d_B;
-    const Number t28 = t27 * r_e;
-    // before_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
-    //   d_B)*r_e*last_sine_j)
-    const Number before = pow * now_side * (t24 * now_sine + t28 * last_sine) / step_sine;
-    // after_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j +
-    //   (W*tau - d_B)*r_e*now_sine_j)
-    const Number after = t7 * (pow / step_sine) * later_side * (t24 * later_sine + t28 * now_sine);
-    const Number t43 = e * before;
-    const Number t44 = after - t43;
-    const Number t50 = t8 * after / Number(2) - t10 * t43 / Number(2);
-    // B_at_j(tau) = (w_B*(M_A*(V*tau - d_A + (W*tau - d_B)) + M_C*(W*tau - d_B)) -
-    //   w_B*(M_A*(after_j(tau) - e*before_j(tau)) + M_C*((1 + turn_j)*after_j(tau)/2 - (1 -
-    //   turn_j)*(e*before_j(tau))/2)))/(1 + w_B*(M_A + M_C))
-    const Number B_at = (w_B * (M_A * (t24 + t27) + M_C * t27) - w_B * (M_A * t44 + M_C * t50)) /
-        (Number(1) + w_B * t1);
-    // A_at_j(tau) = B_at_j(tau) + (after_j(tau) - e*before_j(tau))
-    const Number A_at = B_at + t44;
-    // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_j(tau)/2 - (1 - turn_j)*(e*before_j(tau))/2)
-    const Number C_at = B_at + t50;
-    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-      throw std::domain_error("at_restitution: "
-          "step_sine must be between 0x1p-128 and 0x1p+1");
-    if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
-      throw std::domain_error("at_restitution: "
-          "now_side must be between 0x1p-128 and 0x1p+128");
-    return {B_at, A_at, C_at};
-  }
-  throw std::domain_error("at_restitution: allowed: "
-      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A, w_B, "
-      "M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A "
-      "from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0 to 0x1p+32, j from 0 to "
-      "4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j) from 0x0p+0 to 0x1p+0, "
-      "step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and 0x1p+128");
+      Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <= Number(0x1p+0)))
+    throw std::domain_error("at_restitution: outside of the domain that its comment states");
+  const Number t1 = M_A + M_C;  // for r_A, B_at
+  const Number r_A = sqrt(M_A / t1);  // r_A = sqrt(M_A/(M_A + M_C))
+  const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));  // r_B = sqrt(1/(1 + w_B*M_C))
+  const Number t7 = sqrt(e);  // for r_e, after
+  const Number r_e = r_B / r_A / t7;  // r_e = r_B/(r_A*sqrt(e))
+  const Number step_sine = sin(h_e);  // step_sine = sin(h_e)
+  const Number t8 = Number(1) + turn;  // for now_side, later_side, B_at, C_at
+  const Number t10 = Number(1) - turn;  // for now_side, later_side, B_at, C_at
+  const Number t11 = r_A / r_B;  // for now_side, later_side
+  // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
+  const Number now_side = t8 / Number(2) + t10 * t11 / Number(2);
+  // later_side_j = (1 - turn_j)/2 + (1 + turn_j)*(r_A/r_B)/2
+  const Number later_side = t10 / Number(2) + t8 * t11 / Number(2);
+  const Number last_sine = sin(Number(j) * h_e);  // last_sine_j = sin(j*h_e)
+  const Number now_sine = sin((Number(j) + Number(1)) * h_e);  // now_sine_j = sin((j + 1)*h_e)
+  const Number later_sine = sin((Number(j) + Number(2)) * h_e);  // later_sine_j = sin((j + 2)*h_e)
+  const Number t24 = V * tau - d_A;  // for before, after, B_at
+  const Number t27 = W * tau - d_B;  // for before, after, B_at
+  const Number t28 = t27 * r_e;  // for before, after
+  // before_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
+  //   d_B)*r_e*last_sine_j)
+  const Number before = pow * now_side * (t24 * now_sine + t28 * last_sine) / step_sine;
+  // after_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j +
+  //   (W*tau - d_B)*r_e*now_sine_j)
+  const Number after = t7 * (pow / step_sine) * later_side * (t24 * later_sine + t28 * now_sine);
+  const Number t43 = e * before;  // for B_at, A_at, C_at
+  const Number t44 = after - t43;  // for B_at, A_at
+  const Number t50 = t8 * after / Number(2) - t10 * t43 / Number(2);  // for B_at, C_at
+  // B_at_j(tau) = (w_B*(M_A*(V*tau - d_A + (W*tau - d_B)) + M_C*(W*tau - d_B)) -
+  //   w_B*(M_A*(after_j(tau) - e*before_j(tau)) + M_C*((1 + turn_j)*after_j(tau)/2 - (1 -
+  //   turn_j)*(e*before_j(tau))/2)))/(1 + w_B*(M_A + M_C))
+  const Number B_at = (w_B * (M_A * (t24 + t27) + M_C * t27) - w_B * (M_A * t44 + M_C * t50)) /
+      (Number(1) + w_B * t1);
+  const Number A_at = B_at + t44;  // A_at_j(tau) = B_at_j(tau) + (after_j(tau) - e*before_j(tau))
+  // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_j(tau)/2 - (1 - turn_j)*(e*before_j(tau))/2)
+  const Number C_at = B_at + t50;
+  if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
+    throw std::domain_error("at_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
+  if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
+    throw std::domain_error("at_restitution: now_side must be between 0x1p-128 and 0x1p+128");
+  return {B_at, A_at, C_at};
 }
 template <class Number>
 struct TimeRestitution {
@@ -204,43 +170,29 @@ TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, c
     const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const
     Number& d_A, const Number& d_B, std::int64_t j) {
   using std::sin, std::sqrt;
-  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+  if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
       h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
       Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32) && d_A >= Number(0x0p+0) &&
       d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) && d_B <= Number(0x1p+32) && j >= 0 && j <=
-      4611686018427387904) {
-    // r_A = sqrt(M_A/(M_A + M_C))
-    const Number r_A = sqrt(M_A / (M_A + M_C));
-    // r_B = sqrt(1/(1 + w_B*M_C))
-    const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    // r_e = r_B/(r_A*sqrt(e))
-    const Number r_e = r_B / r_A / sqrt(e);
-    // step_sine = sin(h_e)
-    const Number step_sine = sin(h_e);
-    // last_sine_j = sin(j*h_e)
-    const Number last_sine = sin(Number(j) * h_e);
-    // now_sine_j = sin((j + 1)*h_e)
-    const Number now_sine = sin((Number(j) + Number(1)) * h_e);
-    // reach_j = V*now_sine_j + W*r_e*last_sine_j
-    const Number reach = V * now_sine + W * r_e * last_sine;
-    // moment_j = (d_A*now_sine_j + d_B*r_e*last_sine_j)/reach_j
-    const Number moment = (d_A * now_sine + d_B * r_e * last_sine) / reach;
-    if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-      throw std::domain_error("time_restitution: "
-          "step_sine must be between 0x1p-128 and 0x1p+1");
-    if (!(reach > Number(0x1p-128) && reach < Number(0x1p+128)))
-      throw std::domain_error("time_restitution: "
-          "reach must be between 0x1p-128 and 0x1p+128");
-    return {moment};
-  }
-  throw std::domain_error("time_restitution: allowed: "
-      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A, w_B, "
-      "M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A "
-      "from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to 4611686018427387904, "
-      "step_sine between 0x1p-128 and 0x1p+1, reach between 0x1p-128 and 0x1p+128");
+      4611686018427387904))
+    throw std::domain_error("time_restitution: outside of the domain that its comment states");
+  const Number r_A = sqrt(M_A / (M_A + M_C));  // r_A = sqrt(M_A/(M_A + M_C))
+  const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));  // r_B = sqrt(1/(1 + w_B*M_C))
+  const Number r_e = r_B / r_A / sqrt(e);  // r_e = r_B/(r_A*sqrt(e))
+  const Number step_sine = sin(h_e);  // step_sine = sin(h_e)
+  const Number last_sine = sin(Number(j) * h_e);  // last_sine_j = sin(j*h_e)
+  const Number now_sine = sin((Number(j) + Number(1)) * h_e);  // now_sine_j = sin((j + 1)*h_e)
+  // reach_j = V*now_sine_j + W*r_e*last_sine_j
+  const Number reach = V * now_sine + W * r_e * last_sine;
+  // moment_j = (d_A*now_sine_j + d_B*r_e*last_sine_j)/reach_j
+  const Number moment = (d_A * now_sine + d_B * r_e * last_sine) / reach;
+  if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
+    throw std::domain_error("time_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
+  if (!(reach > Number(0x1p-128) && reach < Number(0x1p+128)))
+    throw std::domain_error("time_restitution: reach must be between 0x1p-128 and 0x1p+128");
+  return {moment};
 }
 template <class Number>
 struct CollapseRestitution {
@@ -259,43 +211,33 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
     M_C, const Number& e, const Number& q_e, const Number& V, const Number& W, const Number& d_A,
     const Number& d_B) {
   using std::sqrt;
-  if (M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+  if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+128) && q_e <= Number(0x0p+0)
       && V >= Number(0x1p-32) && V <= Number(0x1p+32) && W >= Number(-0x1p+32) && W <=
       Number(0x1p+32) && d_A >= Number(0x0p+0) && d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) &&
-      d_B <= Number(0x1p+32)) {
-    const Number t1 = M_A + M_C;
-    // r_A = sqrt(M_A/(M_A + M_C))
-    const Number r_A = sqrt(M_A / t1);
-    // r_B = sqrt(1/(1 + w_B*M_C))
-    const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));
-    const Number t7 = sqrt(e);
-    // r_e = r_B/(r_A*sqrt(e))
-    const Number r_e = r_B / r_A / t7;
-    // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
-    const Number kappa = (Number(1) + e) * r_A * r_B / t7 / Number(2);
-    // y_e = kappa - sqrt(-q_e)
-    const Number y_e = kappa - sqrt(-q_e);
-    // end_speed = V + W*r_e*y_e
-    const Number end_speed = V + W * r_e * y_e;
-    // t_any = (d_A + d_B*r_e*y_e)/end_speed
-    const Number t_any = (d_A + d_B * r_e * y_e) / end_speed;
-    const Number t18 = V + W;
-    const Number t29 = Number(1) + w_B * t1;
-    // x_any = w_B*(M_A*((V + W)*t_any - d_A - d_B) + M_C*(W*t_any - d_B))/(1 + w_B*(M_A + M_C))
-    const Number x_any = w_B * (M_A * (t18 * t_any - d_A - d_B) + M_C * (W * t_any - d_B)) / t29;
-    // v_any = w_B*(M_A*(V + W) + M_C*W)/(1 + w_B*(M_A + M_C))
-    const Number v_any = w_B * (M_A * t18 + M_C * W) / t29;
-    if (!(end_speed > Number(0x1p-128) && end_speed < Number(0x1p+128)))
-      throw std::domain_error("collapse_restitution: "
-          "end_speed must be between 0x1p-128 and 0x1p+128");
-    return {end_speed, t_any, x_any, v_any};
-  }
-  throw std::domain_error("collapse_restitution: allowed: "
-      "M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, "
-      "e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from -0x1p+128 to 0x0p+0, V from 0x1p-32 "
-      "to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to "
-      "0x1p+32, end_speed between 0x1p-128 and 0x1p+128");
+      d_B <= Number(0x1p+32)))
+    throw std::domain_error("collapse_restitution: outside of the domain that its comment states");
+  const Number t1 = M_A + M_C;  // for r_A, x_any, v_any
+  const Number r_A = sqrt(M_A / t1);  // r_A = sqrt(M_A/(M_A + M_C))
+  const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));  // r_B = sqrt(1/(1 + w_B*M_C))
+  const Number t7 = sqrt(e);  // for r_e, kappa
+  const Number r_e = r_B / r_A / t7;  // r_e = r_B/(r_A*sqrt(e))
+  // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
+  const Number kappa = (Number(1) + e) * r_A * r_B / t7 / Number(2);
+  const Number y_e = kappa - sqrt(-q_e);  // y_e = kappa - sqrt(-q_e)
+  const Number end_speed = V + W * r_e * y_e;  // end_speed = V + W*r_e*y_e
+  // t_any = (d_A + d_B*r_e*y_e)/end_speed
+  const Number t_any = (d_A + d_B * r_e * y_e) / end_speed;
+  const Number t18 = V + W;  // for x_any, v_any
+  const Number t29 = Number(1) + w_B * t1;  // for x_any, v_any
+  // x_any = w_B*(M_A*((V + W)*t_any - d_A - d_B) + M_C*(W*t_any - d_B))/(1 + w_B*(M_A + M_C))
+  const Number x_any = w_B * (M_A * (t18 * t_any - d_A - d_B) + M_C * (W * t_any - d_B)) / t29;
+  // v_any = w_B*(M_A*(V + W) + M_C*W)/(1 + w_B*(M_A + M_C))
+  const Number v_any = w_B * (M_A * t18 + M_C * W) / t29;
+  if (!(end_speed > Number(0x1p-128) && end_speed < Number(0x1p+128)))
+    throw std::domain_error("collapse_restitution: "
+        "end_speed must be between 0x1p-128 and 0x1p+128");
+  return {end_speed, t_any, x_any, v_any};
 }
 }  // namespace magicmass::generated

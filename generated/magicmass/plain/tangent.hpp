@@ -28,43 +28,26 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 VelocitiesTangent<Number> velocities_tangent(const Number& alpha, std::int64_t n) {
   using std::atan, std::cos, std::sin, std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624) {
-    // above = 2 + alpha
-    const Number above = Number(2) + alpha;
-    // w = 1/sqrt(alpha*above)
-    const Number w = Number(1) / sqrt(alpha * above);
-    // t = alpha*w
-    const Number t = alpha * w;
-    // half_h = atan(t)
-    const Number half_h = atan(t);
-    // phase_n = 2*half_h*n
-    const Number phase = Number(2) * half_h * Number(n);
-    // sine_n = sin(phase_n)
-    const Number sine = sin(phase);
-    // cosine_n = cos(phase_n)
-    const Number cosine = cos(phase);
-    // t_sine_n = t*sine_n
-    const Number t_sine = t * sine;
-    // w_sine_n = w*sine_n
-    const Number w_sine = w * sine;
-    // plus_n = cosine_n + t_sine_n
-    const Number plus = cosine + t_sine;
-    // minus_n = cosine_n - t_sine_n
-    const Number minus = cosine - t_sine;
-    // along_n = cosine_n + w_sine_n
-    const Number along = cosine + w_sine;
-    // a_n = 1*(plus_n*minus_n)
-    const Number a = plus * minus;
-    // b_n = 1*(2*along_n*t_sine_n)
-    const Number b = Number(2) * along * t_sine;
-    // c_n = 1*(2*plus_n*w_sine_n)
-    const Number c = Number(2) * plus * w_sine;
-    // c'_n = 1*(-2*minus_n*w_sine_n)
-    const Number c_prime = -Number(2) * minus * w_sine;
-    return {a, b, c, c_prime};
-  }
-  throw std::domain_error("velocities_tangent: allowed: "
-      "alpha from 0x1p-300 to 0x1p+300, n from 0 to 1125899906842624");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300) && n >= 0 && n <= 1125899906842624))
+    throw std::domain_error("velocities_tangent: "
+        "allowed: alpha from 0x1p-300 to 0x1p+300, n from 0 to 1125899906842624");
+  const Number above = Number(2) + alpha;  // above = 2 + alpha
+  const Number w = Number(1) / sqrt(alpha * above);  // w = 1/sqrt(alpha*above)
+  const Number t = alpha * w;  // t = alpha*w
+  const Number half_h = atan(t);  // half_h = atan(t)
+  const Number phase = Number(2) * half_h * Number(n);  // phase_n = 2*half_h*n
+  const Number sine = sin(phase);  // sine_n = sin(phase_n)
+  const Number cosine = cos(phase);  // cosine_n = cos(phase_n)
+  const Number t_sine = t * sine;  // t_sine_n = t*sine_n
+  const Number w_sine = w * sine;  // w_sine_n = w*sine_n
+  const Number plus = cosine + t_sine;  // plus_n = cosine_n + t_sine_n
+  const Number minus = cosine - t_sine;  // minus_n = cosine_n - t_sine_n
+  const Number along = cosine + w_sine;  // along_n = cosine_n + w_sine_n
+  const Number a = plus * minus;  // a_n = 1*(plus_n*minus_n)
+  const Number b = Number(2) * along * t_sine;  // b_n = 1*(2*along_n*t_sine_n)
+  const Number c = Number(2) * plus * w_sine;  // c_n = 1*(2*plus_n*w_sine_n)
+  const Number c_prime = -Number(2) * minus * w_sine;  // c'_n = 1*(-2*minus_n*w_sine_n)
+  return {a, b, c, c_prime};
 }
 template <class Number>
 struct TerminalTangent {
@@ -85,49 +68,30 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   using std::abs, std::atan, std::ceil, std::cos, std::sin, std::sqrt;
-  if (alpha >= Number(0x1p-100) && alpha <= Number(0x1p+100)) {
-    // above = 2 + alpha
-    const Number above = Number(2) + alpha;
-    // w = 1/sqrt(alpha*above)
-    const Number w = Number(1) / sqrt(alpha * above);
-    // t = alpha*w
-    const Number t = alpha * w;
-    // half_h = atan(t)
-    const Number half_h = atan(t);
-    // h = 2*half_h
-    const Number h = Number(2) * half_h;
-    const Number t4 = Number(4) * atan(Number(1)) / h / Number(2);
-    // N_A = ceil(pi/(2*h) - 1/2)
-    const Number N_A = ceil(t4 - Number(1) / Number(2));
-    // rest = sqrt((pi/2 - h*N_A)^2)
-    const Number rest = abs(Number(4) * atan(Number(1)) / Number(2) - h * N_A);
-    // rest_sine = sin(rest)
-    const Number rest_sine = sin(rest);
-    // rest_cosine = cos(rest)
-    const Number rest_cosine = cos(rest);
-    // t_cosine = t*rest_cosine
-    const Number t_cosine = t * rest_cosine;
-    // w_cosine = w*rest_cosine
-    const Number w_cosine = w * rest_cosine;
-    // t_plus = t_cosine + rest_sine
-    const Number t_plus = t_cosine + rest_sine;
-    // t_minus = t_cosine - rest_sine
-    const Number t_minus = t_cosine - rest_sine;
-    // w_plus = w_cosine + rest_sine
-    const Number w_plus = w_cosine + rest_sine;
-    // b_form = 2*w_plus*t_cosine
-    const Number b_form = Number(2) * w_plus * t_cosine;
-    // N_B = ceil(pi/(2*h) - 1)
-    const Number N_B = ceil(t4 - Number(1));
-    // a_t = 1*(-t_minus*t_plus)
-    const Number a_t = -t_minus * t_plus;
-    // c_t = 1*(2*t_minus*w_cosine)
-    const Number c_t = Number(2) * t_minus * w_cosine;
-    // rho = (b_t*inv(1))^2
-    const Number rho = b_form * b_form;
-    return {N_A, N_B, a_t, b_form, c_t, rho};
-  }
-  throw std::domain_error("terminal_tangent: allowed: alpha from 0x1p-100 to 0x1p+100");
+  if (!(alpha >= Number(0x1p-100) && alpha <= Number(0x1p+100)))
+    throw std::domain_error("terminal_tangent: allowed: alpha from 0x1p-100 to 0x1p+100");
+  const Number above = Number(2) + alpha;  // above = 2 + alpha
+  const Number w = Number(1) / sqrt(alpha * above);  // w = 1/sqrt(alpha*above)
+  const Number t = alpha * w;  // t = alpha*w
+  const Number half_h = atan(t);  // half_h = atan(t)
+  const Number h = Number(2) * half_h;  // h = 2*half_h
+  const Number t4 = Number(4) * atan(Number(1)) / h / Number(2);  // for N_A, N_B
+  const Number N_A = ceil(t4 - Number(1) / Number(2));  // N_A = ceil(pi/(2*h) - 1/2)
+  // rest = sqrt((pi/2 - h*N_A)^2)
+  const Number rest = abs(Number(4) * atan(Number(1)) / Number(2) - h * N_A);
+  const Number rest_sine = sin(rest);  // rest_sine = sin(rest)
+  const Number rest_cosine = cos(rest);  // rest_cosine = cos(rest)
+  const Number t_cosine = t * rest_cosine;  // t_cosine = t*rest_cosine
+  const Number w_cosine = w * rest_cosine;  // w_cosine = w*rest_cosine
+  const Number t_plus = t_cosine + rest_sine;  // t_plus = t_cosine + rest_sine
+  const Number t_minus = t_cosine - rest_sine;  // t_minus = t_cosine - rest_sine
+  const Number w_plus = w_cosine + rest_sine;  // w_plus = w_cosine + rest_sine
+  const Number b_form = Number(2) * w_plus * t_cosine;  // b_form = 2*w_plus*t_cosine
+  const Number N_B = ceil(t4 - Number(1));  // N_B = ceil(pi/(2*h) - 1)
+  const Number a_t = -t_minus * t_plus;  // a_t = 1*(-t_minus*t_plus)
+  const Number c_t = Number(2) * t_minus * w_cosine;  // c_t = 1*(2*t_minus*w_cosine)
+  const Number rho = b_form * b_form;  // rho = (b_t*inv(1))^2
+  return {N_A, N_B, a_t, b_form, c_t, rho};
 }
 template <class Number>
 struct AngleTangent {
@@ -141,19 +105,13 @@ template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 AngleTangent<Number> angle_tangent(const Number& alpha) {
   using std::atan, std::sqrt;
-  if (alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)) {
-    // above = 2 + alpha
-    const Number above = Number(2) + alpha;
-    // w = 1/sqrt(alpha*above)
-    const Number w = Number(1) / sqrt(alpha * above);
-    // t = alpha*w
-    const Number t = alpha * w;
-    // half_h = atan(t)
-    const Number half_h = atan(t);
-    // psi = 4*half_h
-    const Number psi = Number(4) * half_h;
-    return {psi};
-  }
-  throw std::domain_error("angle_tangent: allowed: alpha from 0x1p-300 to 0x1p+300");
+  if (!(alpha >= Number(0x1p-300) && alpha <= Number(0x1p+300)))
+    throw std::domain_error("angle_tangent: allowed: alpha from 0x1p-300 to 0x1p+300");
+  const Number above = Number(2) + alpha;  // above = 2 + alpha
+  const Number w = Number(1) / sqrt(alpha * above);  // w = 1/sqrt(alpha*above)
+  const Number t = alpha * w;  // t = alpha*w
+  const Number half_h = atan(t);  // half_h = atan(t)
+  const Number psi = Number(4) * half_h;  // psi = 4*half_h
+  return {psi};
 }
 }  // namespace magicmass::generated

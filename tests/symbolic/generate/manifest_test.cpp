@@ -58,8 +58,9 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
     check_says(header, std::string(entry.at("labels")));
     check_says(header, "Operations: ");
     if (form != "evaluator" && form != "exact") check_says(header, "No error bound is derived");
-    // Before each line its formula, but for a matrix's entries and what several lines share.
-    const std::regex unsaid("(;|\\{)\n *const Number (?!t[0-9]+ |[A-Za-z_0-9]+_[1-3][1-3] )");
+    // Behind each line or above it its formula, or whose part it is; but for a matrix's entries.
+    const std::regex unsaid(
+        "\n(?! *//)[^\n]*\n *const (T|N|Number) (?!of_|[A-Za-z_0-9]+_[1-3][1-3] )[^;]*;\n");
     CHECK_FALSE(std::regex_search(code, unsaid));
     CHECK_FALSE(entry.at("cases").empty());
     for (const json& c : entry.at("cases")) {
