@@ -127,7 +127,7 @@ private:
     line("template <class Tier, class N>\nstruct " + name +
          " {\n  using T = typename N::Value;\n  using R = typename N::Result;");
     const std::set<int> kept = members();
-    Words exact, numbers, results{"doubt"};
+    Words exact, numbers, results{"doubt{}"};
     for (const Input& i : q.inputs) exact.push_back(i.name());
     for (int k : kept) (p[k].is_exact ? exact : numbers).push_back(p[k].name);
     for (const Result& r : p.results)
@@ -179,7 +179,6 @@ private:
   }
   void stage_function(int stage, const std::set<int>& kept) {
     line(inlined + "void stage_" + std::to_string(stage) + "() {");
-    if (stage == 1) line("    doubt = R{};");
     std::set<int> paired;
     for (int k = 0; k < p.size(); ++k) {
       const Node& n = p[k];

@@ -30,7 +30,7 @@ struct AngleSmall {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha;
-  R doubt, psi;
+  R doubt{}, psi;
   N half_h, of_psi;
   static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.7d1p-53},
@@ -41,7 +41,6 @@ struct AngleSmall {
   [[gnu::always_inline]] explicit AngleSmall(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
   [[gnu::always_inline]] AngleOutputs outputs() const { return {psi}; }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
     const N t1 = times(above, alpha);  // for w
     const N w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)

@@ -34,7 +34,7 @@ struct CollisionSmall {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha, j;
-  R doubt, when, apart;
+  R doubt{}, when, apart;
   N t, half_h, half_phase, half_sine, t2, t4;
   static constexpr double bounds[4][6] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.295p-52, 0x1.c54p-102, 0x1.865p-50, 0x1.295p-52, 0x1.1bbp-51, 0x1.295p-29},
@@ -46,7 +46,6 @@ struct CollisionSmall {
       alpha(N::all(in.alpha)), j(N::whole(in.j)) {}
   [[gnu::always_inline]] CollisionOutputs outputs() const { return {when, apart}; }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
     const N t1 = times(above, alpha);  // for w
     const N w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)
@@ -93,7 +92,7 @@ struct CollisionFirst {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha, j;
-  R doubt, when, apart;
+  R doubt{}, when, apart;
   N t1, of_when;
   static constexpr double bounds[4][2] = {  // of Fast, Accurate, Slow, Ziv
       {0x0p+0, 0x0p+0},
@@ -105,7 +104,6 @@ struct CollisionFirst {
       alpha(N::all(in.alpha)), j(N::whole(in.j)) {}
   [[gnu::always_inline]] CollisionOutputs outputs() const { return {when, apart}; }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     t1 = N::two_sum(N::all(0x1p+0), alpha);  // for when, apart
     of_when = scaled(t1, 0x1p-1);
   }

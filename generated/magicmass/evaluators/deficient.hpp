@@ -28,7 +28,7 @@ struct DeficientGeneral {
   using T = typename N::Value;
   using R = typename N::Result;
   T k;
-  R doubt, beta_;
+  R doubt{}, beta_;
   N deficient_sine, of_beta_;
   static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.494p-54},
@@ -39,7 +39,6 @@ struct DeficientGeneral {
   [[gnu::always_inline]] explicit DeficientGeneral(const DeficientInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] DeficientOutputs outputs() const { return {beta_}; }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const T t1 = N::all(0x1p+0) + k;  // for deficient_angle
     // for deficient_angle
     const N t2 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),

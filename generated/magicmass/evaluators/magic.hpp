@@ -28,7 +28,7 @@ struct MagicGeneral {
   using T = typename N::Value;
   using R = typename N::Result;
   T k;
-  R doubt, alpha_;
+  R doubt{}, alpha_;
   N magic_sine, of_alpha_;
   static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.232p-54},
@@ -39,7 +39,6 @@ struct MagicGeneral {
   [[gnu::always_inline]] explicit MagicGeneral(const MagicInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] MagicOutputs outputs() const { return {alpha_}; }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const T t1 = k * 0x1p+1;  // for magic_angle
     const N t2 = N::fast_two_sum(t1, N::all(0x1p+0));  // for magic_angle
     // for magic_angle

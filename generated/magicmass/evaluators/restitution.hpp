@@ -42,7 +42,7 @@ struct RestitutionGeneral {
   using T = typename N::Value;
   using R = typename N::Result;
   T M_C, w_B, e, N_e, t32, t33;
-  R doubt, a_end, b_end, c_end, rho_end;
+  R doubt{}, a_end, b_end, c_end, rho_end;
   N all_e, side_e, root_e, loss_e, share_e, z_e, t20, sine_e, t26, distance, to_next, span_e,
       left_e, next_e, power_e, last_reach_e, open_reach_e, last_sine_e, open_sine_e, t37;
   static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
@@ -56,7 +56,6 @@ struct RestitutionGeneral {
   [[gnu::always_inline]] RestitutionOutputs outputs() const { return {N::to_whole(N_e), a_end,
       b_end, c_end, rho_end}; }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const N t1 = N::two_sum(N::all(0x1p+0), M_C);  // for all_e, both_e, side_e
     const N t2 = times(t1, w_B);  // for all_e
     all_e = N::exact(N::all(0x1p+0)) + t2;  // all_e = 1 + w_B*(1 + M_C)

@@ -55,7 +55,7 @@ struct TerminalSmall {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha, N_A, N_B;
-  R doubt, a_t, b_t, c_t, rho;
+  R doubt{}, a_t, b_t, c_t, rho;
   N w, t, half_h, t4, rest, to_next, rest_sine, rest_cosine;
   static constexpr double bounds[4][12] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.2ap-52, 0x1.5adp-106, 0x1.e08p-53, 0x1.c94p-53, 0x1.6f5p-52, 0x1.e08p-51, 0x1.c94p-51,
@@ -88,7 +88,6 @@ struct TerminalSmall {
     store(columns.rho + row, rho);
   }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
     const N t1 = times(above, alpha);  // for w
     w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)
@@ -147,7 +146,7 @@ struct TerminalFirst {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha;
-  R doubt, a_t, b_t, c_t, rho;
+  R doubt{}, a_t, b_t, c_t, rho;
   N of_a_t, t2, of_b_t, t4, of_c_t, of_rho;
   static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
@@ -160,7 +159,6 @@ struct TerminalFirst {
   [[gnu::always_inline]] TerminalOutputs outputs() const { return {N::to_whole(N::all(0x1p+0)),
       N::to_whole(N::all(0x1p+0)), a_t, b_t, c_t, rho}; }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const N masses = N::fast_two_sum(alpha, N::all(0x1p+0));  // masses = 1 + alpha
     const N per_mass = quotient(N::all(0x1p+0), masses);  // per_mass = 1/masses
     const N share = times(per_mass, alpha);  // share = alpha*per_mass

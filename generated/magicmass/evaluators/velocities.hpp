@@ -51,7 +51,7 @@ struct VelocitiesSmall {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha, n, t2;
-  R doubt, a, b, c, c_prime;
+  R doubt{}, a, b, c, c_prime;
   N w, t, half_h, phase, sine, cosine;
   static constexpr double bounds[4][7] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.48p-52, 0x1.48p-52, 0x1.a43p-104, 0x1.6a7p-51, 0x1.949p-51, 0x1.32fp-50, 0x1.05ap-50},
@@ -80,7 +80,6 @@ struct VelocitiesSmall {
     store(columns.c_prime + row, c_prime);
   }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
     const N t1 = times(above, alpha);  // for w
     w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)
@@ -126,7 +125,7 @@ struct VelocitiesFirst {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha, n;
-  R doubt, a, b, c, c_prime;
+  R doubt{}, a, b, c, c_prime;
   N per_mass, of_a, t2, of_b, of_c, t4, of_c_prime;
   static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
@@ -138,7 +137,6 @@ struct VelocitiesFirst {
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
   [[gnu::always_inline]] VelocitiesOutputs outputs() const { return {a, b, c, c_prime}; }
   [[gnu::always_inline]] void stage_1() {
-    doubt = R{};
     const N masses = N::fast_two_sum(alpha, N::all(0x1p+0));  // masses = 1 + alpha
     per_mass = quotient(N::all(0x1p+0), masses);  // per_mass = 1/masses
     const N share = times(per_mass, alpha);  // share = alpha*per_mass

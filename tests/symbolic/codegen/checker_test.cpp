@@ -108,7 +108,7 @@ codegen::Quantity sum_and_square() {
 /// The constants that a header's case has for the k-th type are those printed: how many.
 std::size_t check_constants(const codegen::Emitted& emitted, const std::string& name, std::size_t k,
                             double unit, const Printed& bounds, bool is_tested) {
-  const std::regex lists("struct " + name + " \\{[^{}]*bounds[^{]*\\{([^{;]*\\{){" +
+  const std::regex lists("struct " + name + " \\{[\\s\\S]*?bounds[^{]*\\{([^{;]*\\{){" +
                          std::to_string(k + 1) + "}([^};]*)");
   std::multiset<std::string> in_code, in_text;
   std::smatch found;
