@@ -85,9 +85,12 @@ public:
     const auto is_same = [&](Expr f) { return are_proportional(e, f); };
     if (std::ranges::any_of(laws_, is_same) || std::ranges::any_of(before, is_same)) return true;
     for (Expr f : before)
+      for (Expr factor : not_zero_)  // is left out
+        if (are_proportional(e * factor, f) && has_factor(f, factor)) return true;
+    for (Expr f : before)
       for (Expr by : before)
         for (Expr unknown : unknowns_)
-          if (f != by && eliminates(e, f, by, unknown)) return true;
+          if (f != by && (eliminates(e, f, by, unknown) || divides(e, f, by, unknown))) return true;
     return false;
   }
 
@@ -96,17 +99,44 @@ private:
   Exprs unknowns_, laws_, not_zero_;
   kernel::Substitution truth_;
 
+  /// What the unknown is by a line that is linear in it.
+  std::optional<Expr> solved(Expr line, Expr unknown) const {
+    const Expr at_0 = kernel::substitute(line, {{unknown, 0}});
+    const Expr slope = kernel::substitute(line, {{unknown, 1}}) - at_0;
+    if (at_0 == line || is_zero(slope) || !terms_.are_equal(line, slope * unknown + at_0))
+      return {};
+    return -at_0 / slope;
+  }
   bool eliminates(Expr e, Expr f, Expr by, Expr unknown) const {
-    const Expr at_0 = kernel::substitute(by, {{unknown, 0}});
-    const Expr slope = kernel::substitute(by, {{unknown, 1}}) - at_0;
-    if (at_0 == by || is_zero(slope) || !terms_.are_equal(by, slope * unknown + at_0)) return false;
-    const kernel::Substitution solved{{unknown, -at_0 / slope}};
-    const Expr left = kernel::substitute(f, solved), e_left = kernel::substitute(e, solved);
-    if (is_zero(left) || is_zero(e_left)) return false;
-    if (are_proportional(e_left, left)) return true;
-    // A factor may be divided out where the result keeps what is eliminated, not at the end.
-    const auto is_divided = [&](Expr factor) { return are_proportional(e_left * factor, left); };
-    return e_left != e && std::ranges::any_of(not_zero_, is_divided);
+    const std::optional<Expr> value = solved(by, unknown);
+    if (!value) return false;
+    const Expr left = kernel::substitute(f, {{unknown, *value}});
+    const Expr e_left = kernel::substitute(e, {{unknown, *value}});
+    return !is_zero(left) && !is_zero(e_left) && are_proportional(e_left, left);
+  }
+  /// f / by, each with what is 0 with the factor on one side: M_1 (u_1 - v_1) = M_2 (v_2 - u_2).
+  bool divides(Expr e, Expr f, Expr by, Expr unknown) const {
+    for (Expr factor : not_zero_) {
+      const std::optional<Expr> zero = solved(factor, unknown);
+      if (!zero) continue;
+      const Expr f_right = kernel::substitute(f, {{unknown, *zero}}), f_left = f - f_right;
+      const Expr by_right = kernel::substitute(by, {{unknown, *zero}}), by_left = by - by_right;
+      const Expr crossed = f_left * by_right - f_right * by_left;
+      if (has_unknowns(f_right) && has_unknowns(by_right) && are_proportional(by_left, factor) &&
+          !is_zero(by_left) && !is_zero(crossed) &&
+          are_proportional(e * by_left * by_right, crossed))
+        return true;
+    }
+    return false;
+  }
+  /// As it was typed, in each term.
+  bool has_factor(Expr e, Expr factor) const {
+    const auto has = [&](Expr part) { return has_factor(part, factor); };
+    const Exprs parts = e.args();
+    return are_proportional(e, factor) ||
+           (e.op() == kernel::Op::Add && std::ranges::all_of(parts, has)) ||
+           ((e.op() == kernel::Op::Mul || e.op() == kernel::Op::Pow) &&
+            std::ranges::any_of(parts, has));
   }
 };
 
@@ -152,7 +182,9 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
     }
   }
   const auto [left, right] = all.back();
-  if (left != terms.content(terms.exercise.name) || equations.has_unknowns(right))
+  const Expr name = terms.content(terms.exercise.name);
+  if ((left != name || equations.has_unknowns(right)) &&
+      (right != name || equations.has_unknowns(left)))
     return {Mark::incomplete, "Every line is right, but the end is missing: " +
                                   terms.exercise.name + " = an expression without unknowns."};
   return {Mark::right, "Right: each line follows, and the last one is the answer."};
