@@ -251,23 +251,42 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   return {Mark::right, "Right: each line is equal to the one before, and the last is the answer."};
 }
 
-/// Without "1. ", "2) " or "(3)", where each line begins with its number.
-Texts without_numbers(const Texts& lines) {
+/// Without what stands before each line: "1. ", "(b) ", "iii) ", or a bullet. Columns stay.
+Texts without_marks(const Texts& lines, bool are_bullets) {
   Texts plain;
   for (const std::string& line : lines) {
-    const std::string number = "^\\(?" + std::to_string(plain.size() + 1);
+    const std::size_t i = plain.size();
+    const std::string mark = "^\\(?(" + std::to_string(i + 1) + "|[ivx]+|[IVX]+|" +
+                             char('a' + i % 26) + ")(\\.(?![0-9])|[):] )";
     const auto blanks = [](const Texts& part) { return std::string(part[0].size(), ' '); };
-    plain.push_back(replaced(line, number + "(\\.(?![0-9])|\\) )", blanks));  // same columns
-    if (plain.back() == line) return lines;
+    plain.push_back(replaced(line, are_bullets ? "^([-*]|•|–) " : mark, blanks));
+    if (plain.back() == line || (are_bullets && lines.size() == 1)) return lines;
   }
   return plain;
+}
+
+/// Without the stop at the end of each line, and its number there: "   (2)".
+void trim_ends(Texts& lines) {
+  std::string last = "0";
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    lines[i].erase(lines[i].find_last_not_of(".,; ") + 1);
+    const auto before = [&](const Texts& part) {
+      if (part[2] != std::to_string(i + 1) && part[2] != std::to_string(std::stoi(last) + 1))
+        return part[0];
+      last = part[2];
+      return part[1];
+    };
+    const std::string number = R"(([^-+*/^=(,; ])[.,;]?(?:[ \t]|\\q?quad){1,20}\(([0-9]{1,2})\)$)";
+    lines[i] = replaced(lines[i], number, before);
+  }
 }
 
 }  // namespace
 
 Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& notes) {
   const Terms terms(e);
-  const std::string environment = R"(\\(begin|end)\{[a-z]{1,16}\*?\}|&)";  // of LaTeX, as {align}
+  const std::string environment =  // of LaTeX, as {align}
+      R"(\\(begin|end|tag|label)\*?\{[^{}]{1,40}\}|\\no(tag|number)|&)";
   std::string plain = replaced(text, environment, [](const Texts&) { return ""; });
   for (const char* between : {"\\\\", "=>", "⇒", "⇔", "∴", "\\Rightarrow", "\\Leftrightarrow",
                               "\\implies", "\\iff", "\\therefore"})
@@ -275,7 +294,10 @@ Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& no
   Texts lines = split(plain, '\n');
   if (lines.size() == 1) lines = split(plain, ';');  // on a command line
   if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
-  lines = without_numbers(lines);
+  const Texts plain_lines = without_marks(lines, true);
+  if (plain_lines != lines) notes.push_back("the sign before each line is read as a bullet");
+  lines = without_marks(plain_lines, false);
+  trim_ends(lines);
   return e.start.empty() ? judge_equations(terms, lines, notes) : judge_chain(terms, lines, notes);
 }
 

@@ -93,10 +93,13 @@ const std::vector<Form> all_forms{{"no trigonometric functions", has_angle, " is
 
 const std::string happens = "Right: this is what happens.";
 
-/// Without a byte order mark, lines that begin with #, space around it, and the = or the stop that
-/// a sentence has there.
+/// Without a byte order mark, lines that begin with #, space around it or of LaTeX, and the = or
+/// the stop that a sentence has there.
 std::string plain(std::string text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
+  const auto blanks = [](const Texts& part) { return part[0] == "\\\\" ? part[0] : "  "; };
+  text = replaced(text, R"(\\\\|\\[,;:! ])", blanks);
+  replace_all(text, "\r", "\n");
   Texts lines = split(text, '\n');
   std::erase_if(lines, [](const std::string& line) { return line[0] == '#'; });
   text = answers::joined(lines, "\n");
