@@ -40,6 +40,16 @@ learn::Texts expected_functions(const std::string& driver) {
   return out;
 }
 
+/// The driver without structs that its functions use, for the answer has its own; `last` is one.
+std::string without_structs(const std::string& driver, std::string& last) {
+  const std::string functions = answers::joined(expected_functions(driver));
+  return learn::replaced(driver, "struct (\\w+) \\{[^{}]*\\};", [&](const learn::Texts& part) {
+    if (functions.find(part[1]) == functions.npos) return part[0];
+    last = answers::joined(learn::split(part[0], '\n'), " ");
+    return std::string();
+  });
+}
+
 /// The first error alone: a page of notes on templates teaches nobody.
 std::string first_error(const End& compiled, const std::string& folder, const std::string& driver) {
   if (compiled.is_late) return "compiling took more than " + std::to_string(compile_seconds) + " s";
@@ -56,6 +66,10 @@ std::string first_error(const End& compiled, const std::string& folder, const st
           has("undefined reference to `" + function.substr(name, end + 1 - name)))
         return "a function with this signature is expected: " + answers::shown_text(function, 200);
     }
+    std::string expected;
+    without_structs(driver, expected);
+    if (!expected.empty() && line.starts_with("called.cpp"))
+      return "a struct with these members is expected: " + answers::shown_text(expected, 200);
     if (has("multiple definition of `main'"))
       return "leave out main: who calls the function has one";
     learn::replace_all(line, folder + "/", "");
@@ -179,18 +193,18 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
   for (const auto& [name, text] : host::all_embedded())
     if (name.ends_with(".hpp"))
       std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
-  // Declared again, lest a float is returned where a double is expected.
-  std::string signatures = "#include \"answer.cpp\"\n";
-  for (const std::string& function : expected_functions(e.driver)) signatures += function + ";\n";
-  std::ofstream(folder.path + "/signatures.cpp") << signatures;
-  std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n" << e.driver;
+  // In one file, lest a struct, or a function's type, differs; the driver declares functions again.
+  std::string ignored;
+  std::ofstream(folder.path + "/called.cpp") << "#include \"answer.cpp\"\n"
+                                             << without_structs(e.driver, ignored);
+  std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n";
   host::Bounds bounds{.seconds = compile_seconds,
                       .bytes = 1024 * mebibyte,
                       .file_bytes = 64 * mebibyte,
                       .folder = folder.path};
   const auto compile = [&](const learn::Texts& how) {  // alike, lest an answer tells them apart
     learn::Texts words = learn::split(
-        "env LC_ALL=C c++ -std=c++20 -O1 -ffp-contract=off -w -fmax-errors=1 signatures.cpp", ' ');
+        "env LC_ALL=C c++ -std=c++20 -O1 -ffp-contract=off -w -fmax-errors=1 called.cpp", ' ');
     words.insert(words.begin() + 1, "TMPDIR=" + folder.path);
     words.insert(words.end(), how.begin(), how.end());
     return host::end_of(words, "", bounds);

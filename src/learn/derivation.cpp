@@ -251,34 +251,19 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   return {Mark::right, "Right: each line is equal to the one before, and the last is the answer."};
 }
 
-/// Without what stands before each line: "1. ", "(b) ", "iii) ", or a bullet. Columns stay.
-Texts without_marks(const Texts& lines, bool are_bullets) {
+/// Without what each line begins with: "1. ", "(b) ", "iii) " or a bullet. Columns stay.
+Texts without_marks(const Texts& lines) {
   Texts plain;
   for (const std::string& line : lines) {
     const std::size_t i = plain.size();
-    const std::string mark = "^\\(?(" + std::to_string(i + 1) + "|[ivx]+|[IVX]+|" +
-                             char('a' + i % 26) + ")(\\.(?![0-9])|[):] )";
+    const std::string mark = "^(\\(?(" + std::to_string(i + 1) + "|[ivx]+|[IVX]+|" +
+                             char('a' + i % 26) + ")(\\.(?![0-9])|[):] )" +
+                             (lines.size() > 1 ? "|([-*]|•|–) )" : ")");
     const auto blanks = [](const Texts& part) { return std::string(part[0].size(), ' '); };
-    plain.push_back(replaced(line, are_bullets ? "^([-*]|•|–) " : mark, blanks));
-    if (plain.back() == line || (are_bullets && lines.size() == 1)) return lines;
+    plain.push_back(replaced(line, mark, blanks));
+    if (plain.back() == line) return lines;
   }
   return plain;
-}
-
-/// Without the stop at the end of each line, and its number there: "   (2)".
-void trim_ends(Texts& lines) {
-  std::string last = "0";
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    lines[i].erase(lines[i].find_last_not_of(".,; ") + 1);
-    const auto before = [&](const Texts& part) {
-      if (part[2] != std::to_string(i + 1) && part[2] != std::to_string(std::stoi(last) + 1))
-        return part[0];
-      last = part[2];
-      return part[1];
-    };
-    const std::string number = R"(([^-+*/^=(,; ])[.,;]?(?:[ \t]|\\q?quad){1,20}\(([0-9]{1,2})\)$)";
-    lines[i] = replaced(lines[i], number, before);
-  }
 }
 
 }  // namespace
@@ -294,10 +279,17 @@ Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& no
   Texts lines = split(plain, '\n');
   if (lines.size() == 1) lines = split(plain, ';');  // on a command line
   if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
-  const Texts plain_lines = without_marks(lines, true);
-  if (plain_lines != lines) notes.push_back("the sign before each line is read as a bullet");
-  lines = without_marks(plain_lines, false);
-  trim_ends(lines);
+  if (lines[0].starts_with("- ") && without_marks(lines) != lines)
+    notes.push_back("the - before each line is read as a bullet");
+  lines = without_marks(lines);
+  for (std::string& line : lines) {
+    line.erase(line.find_last_not_of(".,; ") + 1);
+    const std::string number = R"(([^-+*/^=(,; ])[.,;]?(?:[ \t]|\\q?quad){1,20}\(([0-9]{1,2})\)$)";
+    line = replaced(line, number, [&](const Texts& part) {
+      notes.push_back("(" + part[2] + ") at the end is read as the line's number");
+      return part[1];
+    });
+  }
   return e.start.empty() ? judge_equations(terms, lines, notes) : judge_chain(terms, lines, notes);
 }
 

@@ -35,9 +35,14 @@ const learn::Exercise doubled{
     .outputs = {"2*x"},
     .words = {"f"},
 };
-/// With the headers that attacks need.
+/// With the headers that attacks need, and a driver that asks for a struct where there is one.
 learn::Judgement judged(const std::string& code) {
-  return judge(doubled,
+  learn::Exercise e = doubled;
+  if (code.starts_with("struct P "))
+    e.driver =
+        "struct P { double x, y; }; P f(double); struct Own { double z; };"
+        "void call(const double* in, double* out) { const Own own{f(*in).y}; *out = own.z; }";
+  return judge(e,
                "#include <cstdio>\n#include <cstdlib>\n#include <vector>\n#include <fcntl.h>\n"
                "#include <signal.h>\n#include <sys/socket.h>\n#include <unistd.h>\n" +
                    code,
