@@ -32,21 +32,18 @@ std::string first_line(const std::string& text) {
   return answers::shown_text(text.substr(0, text.find('\n')), 160);
 }
 
-/// The functions that the exercise's driver declares and calls: "double f(double)".
-learn::Texts expected_functions(const std::string& driver) {
-  learn::Texts out;
-  learn::replaced(driver.substr(0, driver.find("void call(")), "[\\w:<>]+ \\w+\\([^()]*\\)(?=;)",
-                  [&](const learn::Texts& part) { return out.emplace_back(part[0]); });
-  return out;
+/// Structs and functions that the driver declares, on one line.
+std::string declared(const std::string& driver) {
+  learn::Texts lines = learn::split(driver.substr(0, driver.find("void call(")), '\n');
+  std::erase_if(lines, [](const std::string& line) { return line[0] == '#'; });
+  return answers::joined(lines, " ");
 }
 
-/// The driver without structs that its functions use, for the answer has its own; `last` is one.
-std::string without_structs(const std::string& driver, std::string& last) {
-  const std::string functions = answers::joined(expected_functions(driver));
+/// Without the structs that the functions use: the answer has its own.
+std::string without_structs(const std::string& driver) {
+  const std::string all = declared(driver);
   return learn::replaced(driver, "struct (\\w+) \\{[^{}]*\\};", [&](const learn::Texts& part) {
-    if (functions.find(part[1]) == functions.npos) return part[0];
-    last = answers::joined(learn::split(part[0], '\n'), " ");
-    return std::string();
+    return all.find(part[1]) == all.rfind(part[1]) ? part[0] : "";
   });
 }
 
@@ -60,16 +57,12 @@ std::string first_error(const End& compiled, const std::string& folder, const st
     if (!has("rror: ") && !has("undefined reference") && !has("multiple definition") &&
         !has("memory"))
       continue;
-    for (const std::string& function : expected_functions(driver)) {
-      const std::size_t end = function.find('('), name = function.rfind(' ', end) + 1;
-      if (has("ambiguating new declaration of") ||
-          has("undefined reference to `" + function.substr(name, end + 1 - name)))
-        return "a function with this signature is expected: " + answers::shown_text(function, 200);
-    }
-    std::string expected;
-    without_structs(driver, expected);
-    if (!expected.empty() && line.starts_with("called.cpp"))
-      return "a struct with these members is expected: " + answers::shown_text(expected, 200);
+    const std::size_t name = line.rfind('`') + 1;  // undefined reference to `f(double)'
+    const std::string call = " " + line.substr(name, line.find('(', name) + 1 - name);
+    const std::string expected = declared(driver);
+    if (has("rror: ") ? line.starts_with("called.cpp")
+                      : has("undefined reference") && expected.find(call) != expected.npos)
+      return "this is expected: " + answers::shown_text(expected, 200);
     if (has("multiple definition of `main'"))
       return "leave out main: who calls the function has one";
     learn::replace_all(line, folder + "/", "");
@@ -194,9 +187,8 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
     if (name.ends_with(".hpp"))
       std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
   // In one file, lest a struct, or a function's type, differs; the driver declares functions again.
-  std::string ignored;
   std::ofstream(folder.path + "/called.cpp") << "#include \"answer.cpp\"\n"
-                                             << without_structs(e.driver, ignored);
+                                             << without_structs(e.driver);
   std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n";
   host::Bounds bounds{.seconds = compile_seconds,
                       .bytes = 1024 * mebibyte,

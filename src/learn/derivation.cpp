@@ -2,6 +2,7 @@
 // Derivations, a line after the other: each must be true, and a small step from what stands before.
 #include <span>
 
+#include "equality/normal_form.hpp"
 #include "learn/terms.hpp"
 
 namespace learn {
@@ -85,8 +86,10 @@ public:
     const auto is_same = [&](Expr f) { return are_proportional(e, f); };
     if (std::ranges::any_of(laws_, is_same) || std::ranges::any_of(before, is_same)) return true;
     for (Expr f : before)
-      for (Expr factor : not_zero_)  // is left out
-        if (are_proportional(e * factor, f) && has_factor(f, factor)) return true;
+      for (Expr factor : not_zero_) {  // is left out, as it was typed in each term
+        const auto has_factor = [&] { return is_zero(kernel::replace(f, factor, 0)); };
+        if (equality::is_proved(has_factor) && are_proportional(e * factor, f)) return true;
+      }
     for (Expr f : before)
       for (Expr by : before)
         for (Expr unknown : unknowns_)
@@ -128,15 +131,6 @@ private:
         return true;
     }
     return false;
-  }
-  /// As it was typed, in each term.
-  bool has_factor(Expr e, Expr factor) const {
-    const auto has = [&](Expr part) { return has_factor(part, factor); };
-    const Exprs parts = e.args();
-    return are_proportional(e, factor) ||
-           (e.op() == kernel::Op::Add && std::ranges::all_of(parts, has)) ||
-           ((e.op() == kernel::Op::Mul || e.op() == kernel::Op::Pow) &&
-            std::ranges::any_of(parts, has));
   }
 };
 

@@ -15,13 +15,14 @@ bool is_angle_function(Expr e) {
 }
 bool is_quotient(Expr e) { return kernel::is_call(e, "inv") && e.arg(0).op() != Op::Num; }
 
-/// The first part, outer ones first, of which `is_lack` is true; none inside of functions of
-/// angles.
-std::optional<Expr> found(Expr e, const std::function<bool(Expr)>& is_lack) {
-  if (is_lack(e)) return e;
-  if (is_angle_function(e)) return {};
+/// The first part, outer ones first, of which `is_lack` is true; none of an angle, pi - x in
+/// cos(pi - x), but for what an inverse function in it is taken of.
+std::optional<Expr> found(Expr e, const std::function<bool(Expr)>& is_lack, bool is_angle = false) {
+  if (!is_angle && is_lack(e)) return e;
+  const bool is_function = is_angle_function(e);
+  const bool has_angle = is_function ? e.name()[0] != 'a' : is_angle;
   for (Expr arg : e.args())
-    if (const auto part = found(arg, is_lack)) return part;
+    if (const auto part = found(arg, is_lack, has_angle)) return part;
   return {};
 }
 
@@ -76,9 +77,20 @@ bool hides_product(Expr e, const equality::Domain&) {
   return common > 1;
 }
 
-bool has_inner_division(Expr e, const equality::Domain&) {
-  if (e.op() != Op::Add && !is_quotient(e)) return false;
-  return std::ranges::any_of(e.args(), [](Expr a) { return found(a, is_quotient).has_value(); });
+/// Also where a factor could be cancelled.
+bool is_no_fraction(Expr e, const equality::Domain&) {
+  const auto has_division = [](Expr part) { return found(part, is_quotient).has_value(); };
+  if (e.op() == Op::Add || is_quotient(e)) return std::ranges::any_of(e.args(), has_division);
+  if (e.op() != Op::Mul) return false;
+  const auto [over, under] = one_fraction(e);
+  const auto factors = equality::factorized(kernel::polynomial(over));
+  for (const auto& [factor, times] : equality::factorized(kernel::polynomial(under)))
+    for (const auto& [other, ignored] : factors)
+      if (kernel::scaled(factor, other.begin()->second) ==
+              kernel::scaled(other, factor.begin()->second) &&
+          !factor.rbegin()->first.empty())
+        return true;
+  return false;
 }
 
 struct Form {
@@ -86,10 +98,11 @@ struct Form {
   bool (*is_lack)(Expr part, const equality::Domain&);
   std::string lack;
 };
-const std::vector<Form> all_forms{{"no trigonometric functions", has_angle, " is still in it"},
-                                  {"no difference", is_difference, " is a difference"},
-                                  {"factored", hides_product, " can be written as a product"},
-                                  {"one fraction", has_inner_division, " has a division inside"}};
+const std::vector<Form> all_forms{
+    {"no trigonometric functions", has_angle, " is still in it"},
+    {"no difference", is_difference, " is a difference"},
+    {"factored", hides_product, " can be written as a product"},
+    {"one fraction", is_no_fraction, " has more divisions than it needs"}};
 
 const std::string happens = "Right: this is what happens.";
 

@@ -289,7 +289,8 @@ private:
     if (!takes(U"}")) refuse_at(column, "a } is missing for this \\" + word);
     if (kind.ends_with('*')) kind.pop_back();
     if (empty.contains(kind)) return;
-    if (!kind.ends_with("matrix") && !has_columns && kind != "array")
+    const bool is_matrix = kind.ends_with("matrix") && (kind[0] | 0x20) != 'v';  // a determinant
+    if (!is_matrix && !has_columns && kind != "array")
       refuse_at(column, "unknown environment " + kind);
     add(Kind::Sign, word == "begin" ? "[" : "]", column);
   }

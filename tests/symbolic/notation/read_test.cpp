@@ -233,12 +233,6 @@ TEST_CASE("Names that are known are read in what is written without blanks") {
   CHECK(alike("M", {"m"}).empty());
 }
 
-TEST_CASE("A column may have commas, in brackets, where one is asked for") {
-  CHECK(read_equation("v = (1, 2)/3", {}, true).right.rows() == 2);
-  CHECK_THROWS_WITH(read_equation("1, 2", {}, true), ContainsSubstring("written with semicolons"));
-  CHECK_THAT(refused("(1, 2)/3"), ContainsSubstring("column 3: unexpected comma"));
-}
-
 TEST_CASE("Comparisons come in chains") {
   const std::vector<Comparison> read = read_comparisons("0 < alpha <= 1");
   REQUIRE(read.size() == 2);
