@@ -3,10 +3,13 @@
 
 #include "answers/commands.hpp"
 #include "answers/meanings.hpp"
+#include "equality/normal_form.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace learn {
 namespace {
+
+constexpr int points_tried = 60;
 
 /// The numbers that answer a question, by their columns' names. Of a scene: N, all its collisions,
 /// and the velocity of each body at the end, by its name.
@@ -45,20 +48,44 @@ std::string difference(const equality::Counterexample& c) {
          (is_close ? ", apart by " + c.difference + "." : ".");
 }
 
-/// ", for instance at alpha = 1: why" where yours certainly has no value at most of the points
-/// where the right answer has one; else nothing.
-std::string without_value(Expr given, Expr expected, const equality::Domain& domain) {
-  constexpr std::size_t tried = 60;
+/// " at alpha = 1: why" where yours certainly has no value, at more than one of `share` points where
+/// the right answer has one; else nothing.
+std::string without_value(Expr given, Expr expected, const equality::Domain& domain, int share,
+                          const kernel::Exprs& terms) {
   std::string first;
   int all = 0, gaps = 0;
-  for (const equality::Point& point : equality::points(domain, tried, {given, expected})) {
+  for (const equality::Point& point : equality::points(domain, points_tried, terms)) {
     if (!equality::value_at(point, expected).ball) continue;
     ++all;
     const std::string why_none = equality::value_at(point, given).why_none;
     if (why_none.empty() || ++gaps > 1) continue;
-    first = (point.empty() ? "" : ", for instance at " + equality::text(point)) + ": " + why_none;
+    first = (point.empty() ? "" : " at " + equality::text(point)) + ": " + why_none;
   }
-  return 2 * gaps > all ? first : "";
+  return share * gaps > all ? first : "";
+}
+
+/// Of what is equal to the answer: wrong where it has no value on more than single points.
+Judgement with_gaps(Expr given, Expr expected, const equality::Domain& domain) {
+  using Need = equality::Requirement;
+  Judgement said{Mark::right, ""};
+  const std::vector<Need> needed = equality::requirements(expected, domain);
+  const auto is_sure = [&](const Need& need) { return equality::is_certain(need, domain); };
+  const bool is_everywhere = std::ranges::all_of(needed, is_sure);
+  for (const Need& need : equality::requirements(given, domain)) {
+    if (is_sure(need) || std::ranges::count(needed, need) > 0) continue;
+    const bool is_bound = need.kind != Need::Kind::NotZero;
+    const Need broken{Need::Kind::NotNegative, is_bound ? Expr(-1) * need.term : Expr(1)};
+    const std::string why =
+        without_value(given, expected, narrowed(domain, {broken}), points_tried + 1, {need.term});
+    if (is_bound && !why.empty())
+      return {Mark::wrong, "It is equal where it has a value, but yours has no value" + why + "."};
+    if (!why.empty())
+      said.notes = {"yours has no value" + why};
+    else if (is_everywhere && said.notes.empty())
+      said.notes = {"yours has a value only where " + notation::typed_text(need.term) +
+                    (is_bound ? " is not negative" : " is not 0")};
+  }
+  return said;
 }
 
 }  // namespace
@@ -181,22 +208,15 @@ Judgement Terms::compare_numbers(Expr given, Expr expected) const {
     why = "It could not be compared: " + std::string(r.what()) + ".";
   }
   if (verdict.answer == equality::Answer::Undecided) {
-    const std::string none = without_value(given, expected, where);
+    const std::string none = without_value(given, expected, where, 2, {given, expected});
     if (none.empty()) return {Mark::undecided, why};
-    return {Mark::wrong, "Yours has no real value" + none + "."};
+    return {Mark::wrong,
+            "Yours has no real value" + (none[0] == ':' ? none : ", for instance" + none) + "."};
   }
   if (verdict.answer == equality::Answer::Different)
     return {Mark::wrong, difference(*verdict.counterexample)};
-  for (std::string note : verdict.notes) {
-    const std::string left = "the left side alone has no value";
-    if (!note.starts_with(left)) continue;
-    note.replace(0, left.size(), "yours has no value");
-    const auto is_bound = [](const std::string& c) { return c.find('>') != c.npos; };
-    if (std::ranges::any_of(verdict.conditions, is_bound))
-      return {Mark::wrong, "It is equal where it has a value, but " + note + "."};
-    return {Mark::right, "", {note}};  // it lacks single points
-  }
-  return {Mark::right, ""};
+  if (verdict.conditions.empty()) return {Mark::right, ""};
+  return with_gaps(given, expected, where);
 }
 
 Judgement Terms::compare(Expr given, Expr expected) const {
