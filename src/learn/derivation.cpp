@@ -119,18 +119,15 @@ private:
   }
   /// f / by, each with what is 0 with the factor on one side: M_1 (u_1 - v_1) = M_2 (v_2 - u_2).
   bool divides(Expr e, Expr f, Expr by, Expr unknown) const {
-    for (Expr factor : not_zero_) {
+    return std::ranges::any_of(not_zero_, [&](Expr factor) {
       const std::optional<Expr> zero = solved(factor, unknown);
-      if (!zero) continue;
-      const Expr f_right = kernel::substitute(f, {{unknown, *zero}}), f_left = f - f_right;
-      const Expr by_right = kernel::substitute(by, {{unknown, *zero}}), by_left = by - by_right;
-      const Expr crossed = f_left * by_right - f_right * by_left;
-      if (has_unknowns(f_right) && has_unknowns(by_right) && are_proportional(by_left, factor) &&
-          !is_zero(by_left) && !is_zero(crossed) &&
-          are_proportional(e * by_left * by_right, crossed))
-        return true;
-    }
-    return false;
+      if (!zero) return false;
+      const Expr f_right = kernel::substitute(f, {{unknown, *zero}});
+      const Expr by_right = kernel::substitute(by, {{unknown, *zero}});
+      const Expr crossed = by_right * f - f_right * by;
+      return has_unknowns(f_right) && has_unknowns(by_right) && !is_zero(crossed) &&
+             are_proportional(e * factor * by_right, crossed);
+    });
   }
 };
 

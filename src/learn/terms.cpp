@@ -115,8 +115,11 @@ Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
   if (exercise.name.empty())
     kernel::refuse("what is asked for has no name; write the expression alone, without =");
   const Expr name = content(exercise.name);
-  if (read.term == name) return read.right;
-  if (read.right == name) return read.term;
+  std::string full = notation::name_of(name);  // alpha_k, alpha_2
+  for (const auto& [index, value] : exercise.values)
+    if (full.ends_with("_" + index)) full.replace(full.size() - index.size(), index.size(), value);
+  for (const auto& [left, right] : {std::pair{read.term, read.right}, {read.right, read.term}})
+    if (left == name || (!full.empty() && notation::name_of(left) == full)) return right;
   kernel::refuse("neither side of this equation is " + exercise.name + ", which is asked for");
 }
 

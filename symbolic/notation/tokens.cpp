@@ -223,7 +223,7 @@ private:
     if (letters != word.npos && is_short) whole.insert(letters, "_");  // M1
     const std::string first = prime();
     const std::string index_1 = index();
-    whole += first + index_1 + (first.empty() ? prime() : "");
+    whole += (first.empty() ? prime() : first) + index_1;  // c_n' is c'_n
     if (index_1.ends_with('_')) refuse_at(column, "an index is missing behind " + word + "_");
     if (whole.size() > 40) refuse_at(column, "a name of more than 40 characters");
     add(Kind::Name, whole, column);
