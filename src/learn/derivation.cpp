@@ -106,8 +106,7 @@ private:
   std::optional<Expr> solved(Expr line, Expr unknown) const {
     const Expr at_0 = kernel::substitute(line, {{unknown, 0}});
     const Expr slope = kernel::substitute(line, {{unknown, 1}}) - at_0;
-    if (at_0 == line || is_zero(slope) || !terms_.are_equal(line, slope * unknown + at_0))
-      return {};
+    if (is_zero(slope) || !terms_.are_equal(line, slope * unknown + at_0)) return {};
     return -at_0 / slope;
   }
   bool eliminates(Expr e, Expr f, Expr by, Expr unknown) const {
@@ -213,16 +212,15 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
           before == start ? e.start + ", with which the chain begins" : "what comes before it";
       const std::string shown = terms.quoted(part, now);
       const Judgement compared = terms.compare(given, terms.in_full(before));
-      const Mark mark = compared.mark;
       add_gaps(compared, i, notes);
-      if (mark == Mark::undecided)
-        return {mark, "It could not be decided whether " + shown + " in " + line_name(i) +
-                          " is equal to " + what + "."};
-      if (mark == Mark::wrong) {
+      if (compared.mark == Mark::undecided)
+        return {Mark::undecided, "It could not be decided whether " + shown + " in " +
+                                     line_name(i) + " is equal to " + what + "."};
+      if (compared.mark == Mark::wrong) {
         const std::string differs =
             "In " + line_name(i) + ", " + shown + " is not equal to " + what + ".";
         const Judgement said =
-            is_finished() ? Judgement{mark, differs} : terms.mistake(given, differs);
+            is_finished() ? Judgement{Mark::wrong, differs} : terms.mistake(given, differs);
         if (!is_left || !said.misconception.empty()) return said;
         is_aside = true;  // an equation of its own, such as a law
       } else if (is_aside) {
@@ -246,9 +244,8 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
 Texts without_marks(const Texts& lines) {
   Texts plain;
   for (const std::string& line : lines) {
-    const std::size_t i = plain.size();
-    const std::string mark = "^(\\(?(" + std::to_string(i + 1) + "|[ivx]+|[IVX]+|" +
-                             char('a' + i % 26) + ")(\\.(?![0-9])|[):] )" +
+    const std::string mark = "^(\\(?(" + std::to_string(plain.size() + 1) + "|[ivx]+|[IVX]+|" +
+                             char('a' + plain.size() % 26) + ")(\\.(?![0-9])|[):] )" +
                              (lines.size() > 1 ? "|([-*]|•|–) )" : ")");
     const auto blanks = [](const Texts& part) { return std::string(part[0].size(), ' '); };
     plain.push_back(replaced(line, mark, blanks));

@@ -19,8 +19,7 @@ bool is_quotient(Expr e) { return kernel::is_call(e, "inv") && e.arg(0).op() != 
 /// cos(pi - x), but for what an inverse function in it is taken of.
 std::optional<Expr> found(Expr e, const std::function<bool(Expr)>& is_lack, bool is_angle = false) {
   if (!is_angle && is_lack(e)) return e;
-  const bool is_function = is_angle_function(e);
-  const bool has_angle = is_function ? e.name()[0] != 'a' : is_angle;
+  const bool has_angle = is_angle_function(e) ? e.name()[0] != 'a' : is_angle;
   for (Expr arg : e.args())
     if (const auto part = found(arg, is_lack, has_angle)) return part;
   return {};

@@ -70,7 +70,6 @@ Judgement with_gaps(Expr given, Expr expected, const equality::Domain& domain) {
   Judgement said{Mark::right, ""};
   const std::vector<Need> needed = equality::requirements(expected, domain);
   const auto is_sure = [&](const Need& need) { return equality::is_certain(need, domain); };
-  const bool is_everywhere = std::ranges::all_of(needed, is_sure);
   for (const Need& need : equality::requirements(given, domain)) {
     if (is_sure(need) || std::ranges::count(needed, need) > 0) continue;
     const bool is_bound = need.kind != Need::Kind::NotZero;
@@ -81,7 +80,7 @@ Judgement with_gaps(Expr given, Expr expected, const equality::Domain& domain) {
       return {Mark::wrong, "It is equal where it has a value, but yours has no value" + why + "."};
     if (!why.empty())
       said.notes = {"yours has no value" + why};
-    else if (is_everywhere && said.notes.empty())
+    else if (said.notes.empty() && std::ranges::all_of(needed, is_sure))
       said.notes = {"yours has a value only where " + notation::typed_text(need.term) +
                     (is_bound ? " is not negative" : " is not 0")};
   }
