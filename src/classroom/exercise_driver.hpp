@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What stands before the driver of an exercise in code: it reads the cases before any other code
-// runs, hands each to call(), and writes results to descriptor 3, each line behind a seal.
+// The program in which an exercise's driver and an answer in code run: it reads the cases before
+// any other code runs, hands each to call(), and writes results to descriptor 3 behind a seal.
 #include <cstdio>
 #include <cstdlib>
 

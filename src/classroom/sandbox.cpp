@@ -189,7 +189,6 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
   // In one file, lest a struct, or a function's type, differs; the driver declares functions again.
   std::ofstream(folder.path + "/called.cpp") << "#include \"answer.cpp\"\n"
                                              << without_structs(e.driver);
-  std::ofstream(folder.path + "/driver.cpp") << "#include \"exercise_driver.hpp\"\n";
   host::Bounds bounds{.seconds = compile_seconds,
                       .bytes = 1024 * mebibyte,
                       .file_bytes = 64 * mebibyte,
@@ -204,7 +203,7 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
   if (const std::string file = foreign_file(compile({"-M"}).output); !file.empty())
     return {.unread = "it includes " + file + "; allowed: headers of the standard library"};
   bounds.confine = read_programs_only;
-  const End compiled = compile({"driver.cpp", "-static", "-o", "program"});
+  const End compiled = compile({"-x", "c++", "exercise_driver.hpp", "-static", "-o", "program"});
   if (compiled.code == host::not_there)
     throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
   if (compiled.is_late || compiled.code != 0)

@@ -301,7 +301,9 @@ Texts faults(const Exercise& e, const Run& run) {
     const Judgement own = judge(e, own_answer(e), run);
     need(own.mark == Mark::right, "its own answer", own);
     if (e.kind == "symbolic" && e.answer_from.empty() && !e.name.empty()) {
-      const Terms terms(e);
+      Exercise in_alpha = e;  // where psi and all other names have their meaning
+      in_alpha.symbols.push_back("alpha");
+      const Terms terms(in_alpha);
       const Expr answer = terms.in_full(terms.answer());
       const Judgement said = terms.compare(answer, terms.stated().value_or(answer));
       need(said.mark != Mark::wrong, "its own answer, held against the book,", said);

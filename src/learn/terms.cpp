@@ -139,8 +139,10 @@ Expr Terms::from_step(const std::string& id) const {
 }
 
 std::optional<Expr> Terms::stated() const {
-  static const std::map<std::string, std::string> steps{
-      {"a_t", "terminal.a"}, {"b_t", "terminal.b"}, {"c_t", "terminal.definitions: c_t"}};
+  static const std::map<std::string, std::string> steps{{"a_t", "terminal.a"},
+                                                        {"b_t", "terminal.b"},
+                                                        {"c_t", "terminal.definitions: c_t"},
+                                                        {"t_j", "encounters.when"}};
   const Expr name = content(exercise.name);
   const auto step = steps.find(exercise.name);
   const Expr value = in_full(step == steps.end() ? name : from_step(step->second));

@@ -221,7 +221,6 @@ TEST_CASE("Sizes are bounded from both sides") {
     CHECK_THAT(refused(nested(open, 6000, close)), ContainsSubstring("nested more than 200 deep"));
   CHECK(reading(std::string(15000, '-') + "x") == "x");
   CHECK_THAT(refused(std::string(20001, '-') + "x"), ContainsSubstring("longer than 20000"));
-  CHECK(reading("2^10000") == "2^10000");
 }
 
 TEST_CASE("Names that are known are read in what is written without blanks") {
@@ -236,12 +235,10 @@ TEST_CASE("Names that are known are read in what is written without blanks") {
 TEST_CASE("of mass ratios, decimals and hex floats are the nearest double, p/q is exact") {
   for (const std::string row :
        {"0.1 0.1", "1e-9 1e-09", "0x1.8p-3 0.1875", ".5 0.5", "017 17", "0x10 16", "5e-324 5e-324",
-        "1/7 1/7", "02/14 1/7", "3/1 3/1", "magic:3 magic:3", "deficient:2 deficient:2"}) {
+        "1/7 1/7", "02/14 1/7", "3/1 3/1", "magic:3 magic:3",
+        "deficient:1000000000000000000 deficient:1000000000000000000"}) {
     const std::size_t blank = row.find(' ');
     CHECK(text(read_alpha(row.substr(0, blank))) == row.substr(blank + 1));
   }
-  const auto third = std::get<Threshold>(read_alpha("magic:3"));
-  CHECK((third.is_magic && third.k == 3));
-  CHECK_FALSE(std::get<Threshold>(read_alpha("deficient:1000000000000000000")).is_magic);
   CHECK(std::get<cln::cl_RA>(read_alpha("1/" + std::string(4094, '1'))) > 0);
 }
