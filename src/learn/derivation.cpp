@@ -57,12 +57,9 @@ public:
     return left - right;
   }
   bool is_zero(Expr e) const { return terms_.are_equal(e, 0); }
-  /// Also notes where one side alone has no value.
-  Mark truth(Expr left, Expr right, std::size_t line, Texts& notes) const {
-    left = kernel::substitute(left, truth_);
-    right = kernel::substitute(right, truth_);
-    add_gaps(terms_.compare(right, left), line, notes);
-    const Judgement said = terms_.compare(left, right);
+  /// Of e = 0. Also notes where it has no value.
+  Mark truth(Expr e, std::size_t line, Texts& notes) const {
+    const Judgement said = terms_.compare(kernel::substitute(e, truth_), 0);
     add_gaps(said, line, notes);
     return said.mark;
   }
@@ -141,15 +138,14 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
     all.emplace_back(read.term, read.right);
     differences.push_back(read.term - read.right);
   }
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto [left, right] = all[i];
+  for (std::size_t i = 0; i < differences.size(); ++i) {
     const Expr e = differences[i];
     const std::span<const Expr> before(differences.data(), i);
     const std::string the_line = "Line " + std::to_string(i + 1);
     if (equations.is_zero(e))
       return {Mark::incomplete,
               the_line + " says nothing: both sides are the same for all velocities."};
-    const Mark mark = equations.truth(left, right, i, notes);
+    const Mark mark = equations.truth(e, i, notes);
     if (mark == Mark::undecided)
       return {mark, "It could not be decided whether " + line_name(i) + " is true."};
     if (mark == Mark::wrong) {
