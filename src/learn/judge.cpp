@@ -140,12 +140,15 @@ Judgement judge_form(const Terms& terms, const std::string& text, Expr typed) {
 Judgement judge_expression(const Exercise& e, const std::string& text, Texts& notes) {
   const Terms terms(e);
   const Texts sides = split(text, '=');
+  const auto equation = [&](const std::string& side) {  // columns stay
+    return sides[0] + "=" + std::string(text.rfind(side) - sides[0].size() - 1, ' ') + side;
+  };
   for (std::size_t i = 1; i + 1 < sides.size(); ++i) {  // name = one = another: each is the answer
-    const Judgement one = judge_expression(e, sides[0] + " = " + sides[i], notes);
+    const Judgement one = judge_expression(e, equation(sides[i]), notes);
     if (one.mark != Mark::right && one.mark != Mark::other_form) return one;
   }
-  const bool is_prediction = e.kind == "predict", is_chain = sides.size() > 2;
-  const Expr typed = terms.typed_for_name(is_chain ? sides[0] + " = " + sides.back() : text, notes);
+  const bool is_prediction = e.kind == "predict";
+  const Expr typed = terms.typed_for_name(sides.size() > 2 ? equation(sides.back()) : text, notes);
   if (is_prediction && kernel::is_matrix(typed)) kernel::refuse("a number is asked for");
   const Expr given = terms.in_full(typed);
   if (const std::string foreign = terms.foreign(typed); !foreign.empty()) {
