@@ -48,7 +48,7 @@ std::string difference(const equality::Counterexample& c) {
          (is_close ? ", apart by " + c.difference + "." : ".");
 }
 
-/// " at alpha = 1: why" where yours certainly has no value, at more than one of `share` points where
+/// " at alpha = 1: why" where yours certainly has no value at more than one in `share` points where
 /// the right answer has one; else nothing.
 std::string without_value(Expr given, Expr expected, const equality::Domain& domain, int share,
                           const kernel::Exprs& terms) {
