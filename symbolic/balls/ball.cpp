@@ -94,6 +94,8 @@ Ball Ball::odd_powers(const Ball& t, const Ball& square) {
 Ball cos(const Ball& x) { return Ball::alternating(1, x * x, 0); }
 Ball sin(const Ball& x) { return Ball::alternating(x, x * x, 1); }
 Ball power(const Ball& base, std::int64_t exponent) {
+  const auto size = static_cast<std::int64_t>(cln::integer_length(base.middle)) - Ball::bits_;
+  if (size > 1 && exponent > 1000000 / size) throw NotCertain("a power of too many digits");
   Ball result = 1;
   Ball square = base;
   for (; exponent > 0; exponent /= 2) {

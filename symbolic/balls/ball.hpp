@@ -37,7 +37,8 @@ public:
   /// Throws NotCertain where x may not be positive.
   friend Ball log(const Ball& x);
   friend Ball atan(const Ball& x);
-  friend Ball power(const Ball& base, std::int64_t exponent);  ///< exponent >= 0
+  /// exponent >= 0. Throws NotCertain where there may be more than 10^6 bits.
+  friend Ball power(const Ball& base, std::int64_t exponent);
   /// Throws NotCertain where x may be negative.
   friend Ball sqrt(const Ball& x);
   /// Throws NotCertain where there is a whole number within.

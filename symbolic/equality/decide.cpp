@@ -8,13 +8,14 @@ namespace equality {
 using kernel::Op;
 using Need = Requirement::Kind;
 namespace {
-constexpr std::size_t points_tried = 60;
+constexpr std::size_t points_tried = 48;
 constexpr std::size_t points_inside = 16;
 constexpr std::size_t points_exactly = 3;
 constexpr int most_certified = 24;
 constexpr int digits_shown = 16;
 constexpr std::size_t longest_shown = 40;
 constexpr int largest_denominator = 1000;
+constexpr int most_cases = 30;  // integers that are put in one by one
 
 // Exactly where it is a short fraction.
 std::optional<cln::cl_RA> fraction(Expr constant) {
@@ -48,6 +49,7 @@ public:
   Question(Expr the_left, Expr the_right, const Domain& the_domain)
       : left(the_left), right(the_right), domain(the_domain) {
     verdict.domain = texts(domain);
+    while (put_in_a_value()) continue;
     needs = requirements(left - right, domain);
   }
   Verdict answer() {
@@ -55,7 +57,8 @@ public:
     if (prove()) {
       verdict.answer = Answer::Equal;
       add_conditions();
-      certify();
+      if (verdict.notes.empty()) note_gaps();
+      if (given.empty()) certify();
       return verdict;
     }
     if (!is_different_exactly() && verdict.proof.empty())
@@ -75,18 +78,52 @@ private:
   Verdict verdict;
   std::vector<Requirement> needs;  // of both
   std::vector<Point> common;       // where both sides have a value, and agree
+  std::string given;               // "x = 2": values that were put in
 
+  /// x = 2 and x + y = 1 are put in: in both sides, and in what else is said of x.
+  bool put_in_a_value() {
+    for (const auto& [x, range] : domain.ranges)
+      if (range.is_point()) return put_in(x, range.low->value);
+    for (const auto& [l, relation, r] : domain.further)
+      for (const auto& [x, range] : domain.ranges) {
+        const Exprs values = relation == "=" ? zeros(l - r, x) : Exprs();
+        if (values.size() == 1 && put_in(x, values[0])) return true;
+      }
+    return false;
+  }
+  bool put_in(Expr x, Expr value) {
+    const Range range = domain.ranges.at(x);
+    if (range.is_integer && !Forms(domain).is_integer(value)) return false;
+    const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
+    given +=
+        (given.empty() ? "" : ", ") + notation::typed_text(x) + " = " + notation::typed_text(value);
+    if (range.low)
+      domain.further.push_back({x, range.low->is_inside ? ">=" : ">", range.low->value});
+    if (range.high)
+      domain.further.push_back({x, range.high->is_inside ? "<=" : "<", range.high->value});
+    domain.ranges.erase(x);
+    left = written(left);
+    right = written(right);
+    for (notation::Comparison& c : domain.further)
+      c = {written(c.left), c.relation, written(c.right)};
+    std::erase_if(domain.further, [](const auto& c) { return holds(c) == true; });
+    return true;
+  }
+  std::string shown_point(const Point& point) const {
+    const std::string free = equality::text(point);
+    return given + (given.empty() || free.empty() ? "" : ", ") + free;
+  }
   bool is_counterexample(const Point& point, const std::string& how) {
     verdict.answer = Answer::Different;
     verdict.proof = how;
     verdict.counterexample =
-        Counterexample{equality::text(point), shown(at(point, left)), shown(at(point, right)),
+        Counterexample{shown_point(point), shown(at(point, left)), shown(at(point, right)),
                        shown(at(point, left - right))};
     return true;
   }
   bool is_different_somewhere() {
     const Domain box = narrowed(domain, conditions(domain));
-    std::vector<Point> all = points(box, points_tried, {left, right});
+    std::vector<Point> all = points(box, is_case ? points_inside : points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
     for (const Point& point : points(narrowed(box, needs), points_inside, {}, true))
       if (std::ranges::find(all, point) == all.end()) all.push_back(point);
@@ -105,10 +142,7 @@ private:
       }
       if (!a.ball || !b.ball) {
         why_none = (b.ball ? a : b).why_none;
-        if (verdict.notes.empty() && (a.ball || b.ball))
-          verdict.notes.push_back(std::string(a.ball ? "the right" : "the left") +
-                                  " side alone has no value at " + equality::text(point) + ": " +
-                                  why_none);
+        note_gap(a, b, shown_point(point));
         continue;
       }
       if (a.ball->high() < b.ball->low() || b.ball->high() < a.ball->low())
@@ -138,8 +172,6 @@ private:
   bool prove() {
     if (left == right) return proved("both sides are the same expression");
     if (prove_at_whole_exponents()) return true;
-    for (const auto& [x, range] : domain.ranges)
-      if (range.is_point()) return is_proved_for(x, range.low->value, {});
     if (has_impossible_need()) return false;
     const Expr difference = left - right;
     if (domain.ranges.empty() && exact_sign(difference) == 0)
@@ -155,49 +187,57 @@ private:
                   (point.empty() ? "and they are less than a turn apart"
                                  : "both are continuous, and at " + point + " they agree"));
   }
-  /// With `value` for the symbol x, and the symbol of `value` in `range`.
-  bool is_proved_for(Expr x, Expr value, const Range& range) {
+  bool is_proved_on(const Domain& part) {
     if (is_case) return false;
-    const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
-    Domain part;
-    for (const auto& [symbol, usual] : domain.ranges)
-      if (symbol != x) part.ranges[symbol] = usual;
-    for (Expr symbol : kernel::free_variables(value)) part.ranges.try_emplace(symbol, range);
-    for (const auto& [l, relation, r] : domain.further)
-      part.further.push_back({written(l), relation, written(r)});
     is_case = true;
     const bool is_equal = is_proved([&] {  // not where there is no point
-      const Verdict found = decide(written(left), written(right), part);
+      const Verdict found = decide(left, right, part);
       return found.answer == Answer::Equal && proved(found.proof);
     });
     is_case = false;
     return is_equal;
   }
-  /// x >= 0 and x <= 0 where |x| is, an integer even and odd.
+  /// A new symbol is an integer.
+  bool is_proved_where(Expr l, const std::string& relation, Expr r) {
+    Domain part = domain;
+    part.further.push_back({l, relation, r});
+    for (Expr symbol : kernel::free_variables(r)) part.ranges[symbol] = {.is_integer = true};
+    return is_proved_on(part);
+  }
+  /// x >= 0 and x <= 0 where |x| or a root is, few integers, or an integer even and odd.
   bool prove_by_cases() {
     const std::string before = verdict.proof;
-    for (const auto& [x, range] : domain.ranges) {
-      const Expr modulus = absolute(x);
-      const bool is_integer = range.is_integer;
-      const std::string name = notation::typed_text(x);
-      Range above = range, below = range;
-      above.cut_below({0, true});
-      below.cut_above({0, true});
-      if (!above.is_empty() && !below.is_empty() &&
-          kernel::replace(left - right, modulus, 0) != left - right) {
-        if (is_proved_for(x, x, above) && is_proved_for(x, x, below))
-          return proved("cases: " + name + " >= 0 and " + name + " <= 0");
-      } else if (is_integer) {
-        const Expr half = kernel::integer("half_" + x.name());  // which nobody can type
-        Range halves{.is_integer = true};
-        if (range.low) halves.low = End{cln::floor1(range.low->value / 2) - 1};
-        if (is_proved_for(x, Expr(2) * half, halves) &&
-            is_proved_for(x, Expr(2) * half + Expr(1), halves))
-          return proved("cases: " + name + " even and " + name + " odd");
+    std::set<Expr> turns;
+    collect_turns(left - right, turns);
+    for (Expr e : turns)
+      if (is_proved_where(e, ">=", 0) && is_proved_where(e, "<=", 0)) {
+        const std::string name = notation::typed_text(e);
+        return proved("cases: " + name + " >= 0 and " + name + " <= 0");
       }
+    for (const auto& [x, range] : domain.ranges) {
+      if (!range.is_integer) continue;
+      const std::string name = notation::typed_text(x);
+      if (range.low && range.high && is_proved_for_each(x, range))
+        return proved("cases: each " + name);
+      const Expr half = kernel::integer("half_" + x.name());  // which nobody can type
+      if (is_proved_where(x, "=", Expr(2) * half) &&
+          is_proved_where(x, "=", Expr(2) * half + Expr(1)))
+        return proved("cases: " + name + " even and " + name + " odd");
     }
     verdict.proof = before;  // not that of one case alone
     return false;
+  }
+  bool is_proved_for_each(Expr x, const Range& range) {
+    cln::cl_RA value = cln::ceiling1(range.low->value);
+    if (range.high->value - value > most_cases) return false;
+    for (; value <= range.high->value; value = value + 1)
+      if (range.contains(value) && !is_proved_where(x, "=", value)) return false;
+    return true;
+  }
+  void collect_turns(Expr e, std::set<Expr>& found) {
+    if (is_call(e, "abs")) found.insert(e.arg(0));
+    if (is_call(e, "sqrt") || is_call(e, "root")) found.merge(kernel::free_variables(e));
+    for (Expr part : e.args()) collect_turns(part, found);
   }
   /// A power whose base is negative and whose exponent is not always whole.
   std::optional<Expr> power_of_negative(Expr e) {
@@ -222,20 +262,13 @@ private:
     whole.ranges[x].is_integer = true;
     const std::string condition = " integer";
     if (Forms(whole).is_integer(exponent)) {
-      if (!is_proved_for(x, x, whole.ranges[x])) return false;
+      if (!is_proved_on(whole)) return false;
       verdict.conditions.push_back(notation::typed_text(x) + condition);
       domain = whole;  // nothing else is asked of its bases
       needs = requirements(left - right, domain);
       return true;
     }
-    const auto with = [&](Expr value) { return kernel::substitute(exponent, {{x, value}}); };
-    const bool is_linear = is_proved([&] {  // x = (m - rest)/step for exponent = rest + step x = m
-      const Expr step = with(1) - with(0);
-      const Expr value = (kernel::integer("whole_exponent") - with(0)) / step;
-      Forms forms(domain);
-      return forms.is_zero(forms.of(exponent - with(0) - step * x)) &&
-             is_proved_for(x, value, {.is_integer = true});
-    });
+    const bool is_linear = is_proved_where(exponent, "=", kernel::integer("whole_exponent"));
     if (is_linear) verdict.conditions.push_back(notation::typed_text(exponent) + condition);
     return is_linear;
   }
@@ -279,6 +312,34 @@ private:
       if (!is_weaker && !is_certain(r, domain) && seen.insert(text(r)).second)
         verdict.conditions.push_back(text(r));
     }
+  }
+  /// Where one side alone has no value though no point that was tried says so: at x = pi.
+  void note_gaps() {
+    for (const Requirement& r : needs)
+      for (Expr x : kernel::free_variables(r.term)) {
+        if (common.empty() || r.kind != Need::NotZero || is_certain(r, domain)) continue;
+        Point others = common[0];
+        others.erase(x);
+        Exprs places = zeros(at(others, r.term), x);
+        if (places.empty()) places = {kernel::pi() / Expr(2), kernel::pi()};
+        for (Expr place : places) {
+          Domain there = domain;
+          there.further.push_back({x, "=", place});
+          for (const auto& [symbol, value] : others) there.further.push_back({symbol, "=", value});
+          Question alone(left, right, there);
+          is_proved([&] { return alone.is_different_somewhere(); });  // refused at a gap
+          verdict.notes = alone.verdict.notes;
+          if (!verdict.notes.empty()) return;
+        }
+      }
+  }
+  bool note_gap(const Value& a, const Value& b, const std::string& point) {
+    if (a.ball.has_value() == b.ball.has_value()) return false;
+    const std::string why = (b.ball ? a : b).why_none;
+    if (why.empty() || !verdict.notes.empty()) return false;
+    verdict.notes.push_back(std::string(a.ball ? "the right" : "the left") +
+                            " side alone has no value at " + point + ": " + why);
+    return true;
   }
   static bool is_algebraic_term(Expr e) {
     if (e.op() == Op::Num || e.op() == Op::Var) return true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 
-#include "equality/decide.hpp"
+#include "equality/normal_form.hpp"
 
 namespace equality {
 using kernel::Op;
@@ -109,7 +109,8 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
   if (!is_inside)
     for (int value : {1, -1, 2, -2, 0, 3, -3}) add(value);
   if (!is_inside) add_around(0);
-  for (int below = 2; below <= 5 && !range.is_integer; ++below)
+  if (!is_inside) add_around(cln::cl_RA(1) / 7);
+  for (int below = 2; below <= 4 && !range.is_integer; ++below)
     for (int above = 1; above < 2 * below; ++above) {
       const cln::cl_RA fraction = cln::cl_RA(above) / below;
       if (range.low && range.high)
@@ -125,20 +126,50 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
   }
   for (int below : {10, 100, 1000}) add_around(cln::cl_RA(1) / below);
   room = most;
-  for (const cln::cl_RA& value : special) add(value);
+  std::set<cln::cl_RA> turns = special;
+  turns.insert(0);
+  for (const std::optional<End>& end : {range.low, range.high})
+    if (end) turns.insert(end->value);
+  const cln::cl_RA below = 4 * cln::min(cln::cl_RA(-1), *turns.begin());
+  const cln::cl_RA above = 4 * cln::max(cln::cl_RA(1), *turns.rbegin());
+  turns.insert({below, above});
+  for (auto turn = turns.begin(), next = turn; turn != turns.end(); turn = next) {
+    add(*turn);
+    if (++next == turns.end()) break;
+    const cln::cl_RA middle = (*turn + *next) / 2;
+    add(range.is_integer ? cln::cl_RA(cln::floor1(middle)) : middle);
+  }
+  cln::cl_RA inward = cln::cl_RA(1) / 1000;
+  if (range.is_integer) inward = 1;
+  if (range.low && range.high) inward = inward * (range.high->value - range.low->value);
+  for (const cln::cl_RA& value : {range.low ? range.low->value + inward : below,
+                                  range.high ? range.high->value - inward : above})
+    if (range.contains(value)) values.push_back(value);
   return values;
 }
-void collect_numbers(Expr e, std::set<cln::cl_RA>& found) {
-  for (Expr arg : e.args()) collect_numbers(arg, found);
-  if (e.op() != Op::Num || cln::integer_length(cln::numerator(e.value())) > 64) return;
-  for (int beside : {-1, 0, 1})
-    for (int sign : {-1, 1}) {
-      const cln::cl_RA value = sign * e.value() + cln::cl_RA(beside);
-      found.insert(value);
-    }
-  // sin(n/1000) turns at some thousands
-  for (int multiple : {1, 2, 4})
-    if (e.value() != 0 && cln::abs(e.value()) < 1) found.insert(multiple / cln::abs(e.value()));
+void collect_turns(Expr e, std::set<cln::cl_RA>& found) {
+  for (Expr arg : e.args()) collect_turns(arg, found);
+  std::vector<cln::cl_RA> values;
+  const std::set<Expr> symbols = kernel::free_variables(e);
+  if (symbols.empty()) {
+    const auto value = notation::rational_value(e);
+    if (!value || *value == 0) return;
+    values = {*value, cln::abs(*value) < 1 ? 1 / *value : -*value};
+  } else if (e.op() == Op::Add && symbols.size() == 1) {
+    const auto at = [&](int value) {
+      return notation::rational_value(kernel::substitute(e, {{*symbols.begin(), Expr(value)}}));
+    };
+    const auto start = at(0), next = at(1), last = at(2);
+    if (start && next && last && *next != *start && *last - *next == *next - *start)
+      values = {*start / (*start - *next)};
+  }
+  if (is_call(e, "log"))
+    for (const cln::cl_RA& value : std::set(found))  // about exp(20), where log(x) is 20
+      if (value > 0 && value < 60) values.push_back(cln::expt(cln::cl_RA(3), cln::ceiling1(value)));
+  for (const cln::cl_RA& value : values) {
+    if (cln::integer_length(cln::numerator(value)) > 200) continue;
+    found.insert(value);
+  }
 }
 // x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
 // power is, though (-1/2)^y has a value by accident at some fractions.
@@ -173,11 +204,7 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
   Domain domain;
   for (const std::string& name : symbols) domain.ranges[notation::symbol(name)] = usual_range(name);
   std::map<Expr, Range> given;
-  const auto is_present = [&](Expr e) {
-    return std::ranges::all_of(notation::symbols_of(e),
-                               [&](const std::string& name) { return symbols.contains(name); });
-  };
-  // Absent symbols may bound others: 0 < x < y.
+  // Absent symbols may bound others: x < y < z.
   const auto note = [&](Expr e, const std::string& condition) {
     for (const std::string& name : notation::symbols_of(e)) {
       if (symbols.contains(name)) continue;
@@ -195,7 +222,14 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
         domain.ranges[e] = {.is_integer = kind == "integer"};
         return;
       }
-    for (const notation::Comparison& one : notation::read_comparisons(condition))
+    if (condition.starts_with("not ")) refuse("not: write the opposite, as in x >= 0");
+    const std::vector<notation::Comparison> chain = notation::read_comparisons(condition);
+    const auto goes = [&](char way) {
+      return std::ranges::any_of(chain, [&](const auto& c) { return c.relation[0] == way; });
+    };
+    if (goes('<') && goes('>'))
+      refuse("a chain goes one way, as in 0 < x < 5; is a comma missing?");
+    for (const notation::Comparison& one : chain)
       for (const notation::Comparison& c : without_modulus(one)) {
         note(c.left + c.right, condition);
         if (!bound(c, given)) domain.further.push_back(c);
@@ -221,8 +255,13 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
       known = {.is_integer = known.is_integer, .low = range.low, .high = range.high};
   }
   bound_by_others(domain);
-  std::erase_if(domain.ranges, [&](const auto& range) { return !is_present(range.first); });
-  std::erase_if(domain.further, [&](const auto& c) { return !is_present(c.left + c.right); });
+  const auto is_asked = [&](Expr symbol) {
+    const std::string name = notation::name_of(symbol);
+    return symbols.contains(name) || std::ranges::any_of(domain.further, [&](const auto& c) {
+             return notation::symbols_of(kernel::eq(c.left, c.right)).contains(name);
+           });
+  };
+  std::erase_if(domain.ranges, [&](const auto& range) { return !is_asked(range.first); });
   for (const auto& [symbol, range] : domain.ranges)
     if (range.is_empty())
       refuse("no value of " + notation::typed_text(symbol) + " satisfies " + shown(symbol, range));
@@ -241,10 +280,10 @@ std::vector<std::string> texts(const Domain& domain) {
 std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& terms,
                           bool is_inside) {
   std::set<cln::cl_RA> special;
-  for (Expr e : terms) collect_numbers(e, special);
+  for (Expr e : terms) collect_turns(e, special);
   std::vector<Expr> symbols;
   std::vector<std::vector<cln::cl_RA>> values;
-  const std::size_t most = count + most_special;
+  const std::size_t most = count + (is_inside ? 0 : most_special);
   const std::size_t usual = is_inside ? 60 : domain.ranges.size() == 1 ? count : 24;
   for (const auto& [symbol, range] : domain.ranges) {
     symbols.push_back(symbol);
@@ -252,26 +291,33 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
     if (values.back().empty()) return {};
   }
   std::vector<Point> out;
+  const auto add = [&](const auto& place) {
+    Point point;
+    for (std::size_t j = 0; j < symbols.size(); ++j) point[symbols[j]] = values[j][place(j)];
+    if (is_in(domain, point)) out.push_back(point);
+  };
   // By the sum of the places in the lists, so that simple points come first.
   using Places = std::vector<std::size_t>;
   std::set<std::pair<std::size_t, Places>> next{{0, Places(symbols.size())}};
   for (int tried = 0; !next.empty() && out.size() < most && tried < most_tried; ++tried) {
     auto [sum, places] = next.extract(next.begin()).value();
-    Point point;
-    for (std::size_t j = 0; j < symbols.size(); ++j) point[symbols[j]] = values[j][places[j]];
-    if (is_in(domain, point)) out.push_back(point);
+    add([&](std::size_t j) { return places[j]; });
     for (std::size_t j = 0; j < symbols.size(); ++j) {
       if (++places[j] < values[j].size()) next.emplace(sum + 1, places);
       --places[j];
     }
   }
-  // Then values far down in the lists of several symbols at once, each list in steps of its own.
-  for (std::size_t i = 0; is_inside && i < 2 * count; ++i) {
-    Point point;
-    for (std::size_t j = 0; j < symbols.size(); ++j)
-      point[symbols[j]] = values[j][(i * (2 * j + 3) + 5 * j) % values[j].size()];
-    if (is_in(domain, point)) out.push_back(point);
-  }
+  const std::size_t corners =
+      is_inside || symbols.size() == 1 ? 0 : 1U << std::min<std::size_t>(symbols.size(), 4);
+  // Then both of the last values of each symbol, which are near its ends.
+  for (std::size_t corner = 0; corner < corners; ++corner)
+    add([&](std::size_t j) {
+      const std::size_t last = values[j].size() - 1;
+      return last - std::min(last, (corner >> j) % 2);
+    });
+  // And values far down in the lists of several symbols at once, each list in steps of its own.
+  for (std::size_t i = 0; is_inside && i < 2 * count; ++i)
+    add([&](std::size_t j) { return (i * (2 * j + 3) + 5 * j) % values[j].size(); });
   return out;
 }
 std::optional<bool> holds(const notation::Comparison& c) {

@@ -9,7 +9,7 @@ using kernel::Op;
 namespace {
 constexpr int written_out = 4;          // powers of sums up to this one are multiplied out
 constexpr std::size_t most_surds = 16;  // of a denominator
-constexpr int most_multiples = 64;      // of an inverse angle
+constexpr int most_multiples = 256;     // of an inverse angle
 constexpr int most_angle_parts = 60;    // asin(1/2) is pi/6
 
 // p^v for the primes of a number > 0; what is left beyond 10^5 is taken as it is.
@@ -68,7 +68,9 @@ Sum Forms::computed(Expr term) {
 Sum Forms::function(Expr term) {
   const std::string name = term.name();
   if (term.size() == 0) return atom(term);
-  const Sum x = of(term.arg(0));
+  Sum x = of(term.arg(0));
+  const bool has_factors = name == "sqrt" || name == "root" || name == "abs" || name == "raised";
+  if (has_factors && is_nothing(x)) x = {};
   if (name == "inv") return integer_power(x, -1);
   if (name == "sqrt") return real_power(x, exponent(cln::cl_RA(1) / 2));
   if (name == "abs") {

@@ -58,6 +58,8 @@ struct Requirement {
 };
 /// Of the term and all of its parts, inner ones first, each once.
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
+/// The values of x where a term is 0, of degree 1 (whose coefficient is a number) or 2 in x.
+Exprs zeros(Expr term, Expr x);
 /// What holds where it says so of several symbols, or of one and an irrational number.
 std::vector<Requirement> conditions(const Domain& domain);
 
@@ -135,6 +137,7 @@ private:
   Expr expression(const Product& product);
 
   Sum expanded(Sum sum, Product* divisor = nullptr);
+  bool is_nothing(const Sum& sum) { return sum.size() != 1 && expanded(sum).empty(); }
   /// The sign (1 or -1) is proved; strictly: without 0.
   bool has_sign(const Sum& sum, int sign, bool strictly);
   // 2: positive, 1: not negative, 0: not known, -1 and -2 likewise

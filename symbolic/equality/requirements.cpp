@@ -51,6 +51,29 @@ std::vector<Requirement> conditions(const Domain& domain) {
   return out;
 }
 
+Exprs zeros(Expr term, Expr x) {
+  Exprs out;
+  is_proved([&] {
+    const auto simple = [](Expr e) {
+      Forms forms({});
+      return kernel::expression(kernel::polynomial(forms.real_expression(forms.of(e)).value_or(e)));
+    };
+    const auto at = [&](int value) { return kernel::substitute(term, {{x, Expr(value)}}); };
+    const Expr c = simple(at(0));
+    const Expr a = simple((at(1) + at(-1)) / Expr(2) - c);
+    const Expr b = simple(at(1) - a - c);
+    if (exact_sign(simple(a * x * x + b * x + c - term)) != 0) return false;
+    if (exact_sign(a) != 0) {
+      const Expr root = kernel::sqrt(b * b - Expr(4) * a * c);
+      for (Expr one : {root, Expr(-1) * root}) out.push_back(simple((one - b) / (Expr(2) * a)));
+    } else if (exact_sign(b).value_or(0) != 0) {
+      out.push_back(simple(Expr(-1) * c / b));
+    }
+    return true;
+  });
+  return out;
+}
+
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
   const auto narrow = [&](const Requirement& r, Expr x) {  // by start + rise x
     Forms forms(domain);

@@ -10,6 +10,7 @@ using Need = Requirement::Kind;
 namespace {
 constexpr int deepest = 8;
 constexpr int highest_power = 3000;
+constexpr int most_roots = 12;  // x^(1/12) is compared by its twelfth power
 // 2: positive, 1: not negative, 0: not known, -1 and -2 likewise.
 int product(int a, int b) {
   if (a == 0 || b == 0) return 0;
@@ -231,13 +232,25 @@ int Forms::sign_of_cosine(const Sum& sum) {
   }
   return 0;
 }
-// a - b for positive a and b has the sign of log(a/b).
+// a - b for a and b from 0 on has the sign of a^d - b^d, without roots, and of log(a/b).
 int Forms::sign_of_two(const Sum& sum) {
   if (sum.size() != 2) return 0;
   const auto& [first, q] = *sum.begin();
   const auto& [second, r] = *std::next(sum.begin());
   const int strength = std::min(sign_of_powers(first), sign_of_powers(second));
   if ((q > 0) == (r > 0) || strength < 1) return 0;
+  cln::cl_I d = 1;
+  for (const Product& one : {first, second})
+    for (const auto& [atom, e] : one) d = cln::lcm(d, cln::denominator(constant_part(e)));
+  if (d > 1 && d <= most_roots) {
+    Sum powers;
+    for (const auto& [one, number] : sum) {
+      Product power = one;
+      for (auto& [atom, e] : power) e = kernel::scaled(e, d);
+      powers = powers + scaled(reduced(power, cln::expt(cln::abs(number), d)), number > 0 ? 1 : -1);
+    }
+    if (const int sign = sign_of(powers)) return sign;
+  }
   Product ratio = first;
   for (const auto& [atom, e] : second) multiply(ratio, atom, kernel::scaled(e, -1));
   const int sign = sign_of(logarithm({{ratio, -q / r}}));
@@ -299,7 +312,7 @@ int Forms::sign_of_quadratic(const Sum& sum) {
 }
 void Forms::assume(const Requirement& requirement) {
   const Sum sum = of(requirement.term);
-  if (sum.empty()) return;
+  if (is_nothing(sum)) return;
   const Factors f = factors(sum);
   if (requirement.kind == Need::NotZero) {
     for (const auto& [atom, e] : f.powers) assumed_not_zero.insert(atom);

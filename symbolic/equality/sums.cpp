@@ -125,17 +125,22 @@ void Forms::reduce_modulus(Product& product, cln::cl_RA& number, Expr atom, cons
     product.erase(atom);
     return multiply(product, inner, e);
   }
-  const cln::cl_RA whole = cln::floor1(constant_part(e));
-  const cln::cl_RA part = sign < 0 ? whole : 2 * cln::floor1(whole / 2);
-  if (part == 0) return;
-  multiply(product, atom, exponent(-part));
-  if (sign < 0 && !is_even(part)) number = -number;
-  if (!is_complex(inner)) return multiply(product, inner, exponent(part));
-  multiply(product, inner, exponent(part / 2));
+  Exponent part;  // whole, or even where no sign is known
+  for (const auto& [monomial, q] : e) {
+    const cln::cl_RA whole = sign < 0 ? cln::floor1(q) : 2 * cln::floor1(q / 2);
+    const bool is_constant = monomial.empty();
+    if (whole != 0 && (is_constant || (!is_complex(inner) && is_integer({{monomial, 1}}))))
+      part[monomial] = whole;
+  }
+  if (part.empty()) return;
+  multiply(product, atom, kernel::scaled(part, -1));
+  if (sign < 0) multiply(product, circle(), part * times_pi(1));
+  if (!is_complex(inner)) return multiply(product, inner, part);
+  const Exponent half = kernel::scaled(part, cln::cl_RA(1) / 2);
+  multiply(product, inner, half);
   const Factors conjugate = factors(conjugated(composites.at(inner)));
-  number = number * cln::expt(conjugate.number, cln::numerator(part / 2));
-  for (const auto& [other, k] : conjugate.powers)
-    multiply(product, other, kernel::scaled(k, part / 2));
+  number = number * cln::expt(conjugate.number, cln::numerator(constant_part(half)));
+  for (const auto& [other, k] : conjugate.powers) multiply(product, other, k * half);
 }
 // z^pi is -1.
 void Forms::reduce_turns(Product& product, cln::cl_RA& number, const Exponent& e) const {
