@@ -10,6 +10,7 @@ using Need = Requirement::Kind;
 namespace {
 constexpr std::size_t points_tried = 48;
 constexpr std::size_t points_inside = 16;
+constexpr std::size_t points_of_case = 4;
 constexpr std::size_t points_exactly = 3;
 constexpr int most_certified = 24;
 constexpr int digits_shown = 16;
@@ -123,9 +124,10 @@ private:
   }
   bool is_different_somewhere() {
     const Domain box = narrowed(domain, conditions(domain));
-    std::vector<Point> all = points(box, is_case ? points_inside : points_tried, {left, right});
+    std::vector<Point> all = points(box, is_case ? points_of_case : points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
-    for (const Point& point : points(narrowed(box, needs), points_inside, {}, true))
+    for (const Point& point :
+         points(narrowed(box, needs), is_case ? points_of_case : points_inside, {}, true))
       if (std::ranges::find(all, point) == all.end()) all.push_back(point);
     std::string why_none;
     bool is_open = false;  // somewhere it would take more bits to know a value

@@ -7,7 +7,7 @@ namespace equality {
 using kernel::Op;
 using kernel::refuse;
 namespace {
-constexpr int most_tried = 3000;          // where few points satisfy the further conditions
+constexpr std::size_t most_tried = 60;    // for one point that satisfies the further conditions
 constexpr std::size_t most_special = 24;  // values that the numbers of the terms suggest
 
 Range usual_range(const std::string& name) {
@@ -299,7 +299,8 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   // By the sum of the places in the lists, so that simple points come first.
   using Places = std::vector<std::size_t>;
   std::set<std::pair<std::size_t, Places>> next{{0, Places(symbols.size())}};
-  for (int tried = 0; !next.empty() && out.size() < most && tried < most_tried; ++tried) {
+  for (std::size_t tried = 0; !next.empty() && out.size() < most && tried < most_tried * count;
+       ++tried) {
     auto [sum, places] = next.extract(next.begin()).value();
     add([&](std::size_t j) { return places[j]; });
     for (std::size_t j = 0; j < symbols.size(); ++j) {
