@@ -8,8 +8,8 @@ namespace equality {
 using kernel::Op;
 using Need = Requirement::Kind;
 namespace {
-constexpr std::size_t points_tried = 48;
-constexpr std::size_t points_inside = 16;
+constexpr std::size_t points_tried = 40;
+constexpr std::size_t points_inside = 10;
 constexpr std::size_t points_of_case = 4;
 constexpr std::size_t points_exactly = 3;
 constexpr int most_certified = 24;
