@@ -58,7 +58,6 @@ public:
     if (prove()) {
       verdict.answer = Answer::Equal;
       add_conditions();
-      if (verdict.notes.empty()) note_gaps();
       if (given.empty()) certify();
       return verdict;
     }
@@ -87,8 +86,8 @@ private:
       if (range.is_point()) return put_in(x, range.low->value);
     for (const auto& [l, relation, r] : domain.further)
       for (const auto& [x, range] : domain.ranges) {
-        const Exprs values = relation == "=" ? zeros(l - r, x) : Exprs();
-        if (values.size() == 1 && put_in(x, values[0])) return true;
+        const auto value = relation == "=" ? zero_of(l - r, x) : std::nullopt;
+        if (value && put_in(x, *value)) return true;
       }
     return false;
   }
@@ -144,7 +143,10 @@ private:
       }
       if (!a.ball || !b.ball) {
         why_none = (b.ball ? a : b).why_none;
-        note_gap(a, b, shown_point(point));
+        if (verdict.notes.empty() && (a.ball || b.ball))
+          verdict.notes.push_back(std::string(a.ball ? "the right" : "the left") +
+                                  " side alone has no value at " + shown_point(point) + ": " +
+                                  why_none);
         continue;
       }
       if (a.ball->high() < b.ball->low() || b.ball->high() < a.ball->low())
@@ -314,34 +316,6 @@ private:
       if (!is_weaker && !is_certain(r, domain) && seen.insert(text(r)).second)
         verdict.conditions.push_back(text(r));
     }
-  }
-  /// Where one side alone has no value though no point that was tried says so: at x = pi.
-  void note_gaps() {
-    for (const Requirement& r : needs)
-      for (Expr x : kernel::free_variables(r.term)) {
-        if (common.empty() || r.kind != Need::NotZero || is_certain(r, domain)) continue;
-        Point others = common[0];
-        others.erase(x);
-        Exprs places = zeros(at(others, r.term), x);
-        if (places.empty()) places = {kernel::pi() / Expr(2), kernel::pi()};
-        for (Expr place : places) {
-          Domain there = domain;
-          there.further.push_back({x, "=", place});
-          for (const auto& [symbol, value] : others) there.further.push_back({symbol, "=", value});
-          Question alone(left, right, there);
-          is_proved([&] { return alone.is_different_somewhere(); });  // refused at a gap
-          verdict.notes = alone.verdict.notes;
-          if (!verdict.notes.empty()) return;
-        }
-      }
-  }
-  bool note_gap(const Value& a, const Value& b, const std::string& point) {
-    if (a.ball.has_value() == b.ball.has_value()) return false;
-    const std::string why = (b.ball ? a : b).why_none;
-    if (why.empty() || !verdict.notes.empty()) return false;
-    verdict.notes.push_back(std::string(a.ball ? "the right" : "the left") +
-                            " side alone has no value at " + point + ": " + why);
-    return true;
   }
   static bool is_algebraic_term(Expr e) {
     if (e.op() == Op::Num || e.op() == Op::Var) return true;

@@ -58,8 +58,8 @@ struct Requirement {
 };
 /// Of the term and all of its parts, inner ones first, each once.
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
-/// The values of x where a term is 0, of degree 1 (whose coefficient is a number) or 2 in x.
-Exprs zeros(Expr term, Expr x);
+/// Where a term is 0 that is linear in x, with a number as its coefficient.
+std::optional<Expr> zero_of(Expr term, Expr x);
 /// What holds where it says so of several symbols, or of one and an irrational number.
 std::vector<Requirement> conditions(const Domain& domain);
 

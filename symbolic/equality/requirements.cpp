@@ -51,27 +51,16 @@ std::vector<Requirement> conditions(const Domain& domain) {
   return out;
 }
 
-Exprs zeros(Expr term, Expr x) {
-  Exprs out;
-  is_proved([&] {
-    const auto simple = [](Expr e) {
-      Forms forms({});
-      return kernel::expression(kernel::polynomial(forms.real_expression(forms.of(e)).value_or(e)));
-    };
-    const auto at = [&](int value) { return kernel::substitute(term, {{x, Expr(value)}}); };
-    const Expr c = simple(at(0));
-    const Expr a = simple((at(1) + at(-1)) / Expr(2) - c);
-    const Expr b = simple(at(1) - a - c);
-    if (exact_sign(simple(a * x * x + b * x + c - term)) != 0) return false;
-    if (exact_sign(a) != 0) {
-      const Expr root = kernel::sqrt(b * b - Expr(4) * a * c);
-      for (Expr one : {root, Expr(-1) * root}) out.push_back(simple((one - b) / (Expr(2) * a)));
-    } else if (exact_sign(b).value_or(0) != 0) {
-      out.push_back(simple(Expr(-1) * c / b));
-    }
-    return true;
+std::optional<Expr> zero_of(Expr term, Expr x) {
+  const auto at = [&](int value) { return kernel::substitute(term, {{x, Expr(value)}}); };
+  const Expr rise = at(1) - at(0);
+  const bool is_linear = is_proved([&] {
+    Forms forms({});
+    const auto number = forms.real_expression(forms.of(rise));
+    return number && exact_sign(*number).value_or(0) != 0 &&
+           forms.is_zero(forms.of(term - at(0) - rise * x));
   });
-  return out;
+  return is_linear ? std::optional(Expr(-1) * at(0) / rise) : std::nullopt;
 }
 
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
