@@ -8,14 +8,8 @@
 #include "kernel/polynomial.hpp"
 
 namespace coq {
-using kernel::Certificate;
-using kernel::Expr;
-using kernel::Exprs;
-using kernel::Monomial;
 using kernel::one;
-using kernel::Op;
 using kernel::Polynomial;
-using kernel::Theorem;
 
 namespace {
 Exprs sides(const Theorem& t) {
@@ -31,7 +25,7 @@ Polynomial coefficient(const Polynomial& e, Expr atom, int k) {
   Polynomial out;
   for (const auto& [m, q] : e) {
     if (degree(m, atom) != k) continue;
-    Monomial rest;
+    kernel::Monomial rest;
     for (const auto& factor : m)
       if (!(factor.first == atom)) rest.push_back(factor);
     out = out + Polynomial{{rest, q}};
@@ -70,7 +64,7 @@ Cofactors cofactors(Polynomial e, const std::map<Expr, Theorem>& divisors) {
 
 std::string Script::arithmetic(const Theorem& t, const Context& c) {
   const Expr goal = t.conclusion();
-  const Certificate certificate = *t.step().certificate;
+  const kernel::Certificate certificate = *t.step().certificate;
   Abstraction a;
   std::map<Expr, Theorem> used;  // premises by their conclusions
   const auto use = [&](const Theorem& p) {

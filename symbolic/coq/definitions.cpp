@@ -4,14 +4,9 @@
 #include "kernel/names.hpp"
 
 namespace coq {
-using kernel::Expr;
-using kernel::Exprs;
-using kernel::Sort;
-using kernel::Theorem;
-
 Script::Script(Proofs of) : chosen(std::move(of)) {
   for (const auto& [content, t] : chosen) {
-    const kernel::Step s = t.step();
+    const Step s = t.step();
     if (s.rule == "define" || s.rule == "least") definitions.emplace(s.extras[0].name(), t);
     if (s.rule == "start" || s.rule == "next")
       for (std::size_t k = 1; k < s.extras.size(); k += 4)
@@ -20,7 +15,7 @@ Script::Script(Proofs of) : chosen(std::move(of)) {
 }
 void Script::define_all(Expr e) {
   static const std::set<std::string> of_coq = {"inv", "sqrt", "sin", "cos", "atan", "ceil", "pi"};
-  const bool is_own = e.op() == kernel::Op::Fun && !of_coq.count(e.name());
+  const bool is_own = e.op() == Op::Fun && !of_coq.count(e.name());
   if (is_own && !std::exchange(is_defined[e.name()], true)) {
     const auto it = definitions.find(e.name());
     if (it == definitions.end()) kernel::refuse("no definition of " + e.name());
@@ -46,7 +41,7 @@ std::string integer_lemma(Expr call, const std::string& proof) {
 }  // namespace
 
 std::string Script::definition(const Theorem& t) {
-  const kernel::Step s = t.step();
+  const Step s = t.step();
   if (s.rule == "start" || s.rule == "next") return recursion(s);
   const Expr call = s.extras[0];
   const std::string head = "Definition " + name(call.name()) + parameters(call.args());
@@ -70,7 +65,7 @@ namespace {
 /// start, the step. In Coq they are functions of a natural number, defined together.
 class Recursion {
 public:
-  explicit Recursion(const kernel::Step& s) : n(s.extras[0]) {
+  explicit Recursion(const Step& s) : n(s.extras[0]) {
     for (std::size_t k = 1; k + 3 < s.extras.size(); k += 4) {
       values.push_back(s.extras[k]);
       before.push_back(s.extras[k + 1]);
@@ -88,7 +83,7 @@ public:
 };
 }  // namespace
 
-std::string Script::recursion(const kernel::Step& s) {
+std::string Script::recursion(const Step& s) {
   const Recursion r(s);
   Atoms before{{r.n, "(fromN m'0)"}};
   for (std::size_t i = 0; i < r.values.size(); ++i) {
@@ -108,7 +103,7 @@ std::string Script::recursion(const kernel::Step& s) {
   return all + ".\n" + values;
 }
 std::string Script::recursive(const Theorem& t) {
-  const kernel::Step s = t.step();
+  const Step s = t.step();
   const Recursion r(s);
   const bool is_start = s.rule == "start";
   const std::string function = (is_start ? t.conclusion() : t.conclusion().arg(1)).arg(0).name();

@@ -8,11 +8,6 @@
 #include "kernel/polynomial.hpp"
 
 namespace coq {
-using kernel::Expr;
-using kernel::Exprs;
-using kernel::Op;
-using kernel::Sort;
-
 namespace {
 bool is_sum_or_product(Expr e) {
   return e.op() == Op::Num || e.op() == Op::Add || e.op() == Op::Mul || e.op() == Op::Pow;

@@ -6,8 +6,6 @@
 #include "coq/script.hpp"
 
 namespace coq {
-using kernel::Theorem;
-
 Sequent sequent_of(const Theorem& t) { return {t.hypotheses(), t.conclusion()}; }
 namespace {
 /// The first proof of each that is at its end: what it rests on was so before it.

@@ -12,39 +12,46 @@
 #include "coq/files.hpp"
 
 namespace coq {
+using kernel::Expr;
+using kernel::Exprs;
+using kernel::Op;
+using kernel::Sort;
+using kernel::Step;
+using kernel::Theorem;
+
 extern const char* const prelude;  ///< symbolic/coq/prelude.v
 
 using Names = std::vector<std::string>;
 /// Trees that are printed as a name of Coq.
-using Atoms = std::map<kernel::Expr, std::string>;
+using Atoms = std::map<Expr, std::string>;
 
 /// A name of the kernel; those that Coq or the prelude uses get a mark.
 std::string name(const std::string& kernel_name);
 /// In Coq's language. `bound`: what the variables of the quantifiers around e are called,
 /// outermost first.
-std::string gallina(kernel::Expr e, const Names& bound = {}, const Atoms& atoms = {});
+std::string gallina(Expr e, const Names& bound = {}, const Atoms& atoms = {});
 /// Names for the indices of e that lead out of it.
-Names loose_names(kernel::Expr e);
+Names loose_names(Expr e);
 /// "" or " name name".
 std::string spaced(const Names& names);
-Names names_of(const kernel::Exprs& variables);
+Names names_of(const Exprs& variables);
 /// The free variables of all of them, in order of creation.
-kernel::Exprs variables_of(const kernel::Exprs& es);
+Exprs variables_of(const Exprs& es);
 
 /// Terms with their atoms as variables: x' for a canonical atom, y' for one that is equal to a
 /// polynomial of those.
 class Abstraction {
 public:
   /// Adds e, a part that polynomials do not look into, and what it is equal to.
-  void add(kernel::Expr e);
-  void add_atoms_of(kernel::Expr term);
+  void add(Expr e);
+  void add_atoms_of(Expr term);
   /// For the statement, and for its proof, where each y' is replaced.
-  std::string print(kernel::Expr e) const { return gallina(e, {}, names); }
-  std::string replaced(kernel::Expr e) const { return gallina(e, {}, inside); }
+  std::string print(Expr e) const { return gallina(e, {}, names); }
+  std::string replaced(Expr e) const { return gallina(e, {}, inside); }
 
   Atoms names = {};
   Atoms inside = {};
-  kernel::Exprs atoms = {};
+  Exprs atoms = {};
 };
 
 class Script {
@@ -52,17 +59,17 @@ public:
   explicit Script(Proofs of);
 
   /// The lemma's name; writes it, and before it all that it rests on, where that is new.
-  std::string lemma(const kernel::Theorem& t);
+  std::string lemma(const Theorem& t);
   /// The lemma's statement, all variables and hypotheses in it.
-  static std::string statement(const kernel::Theorem& t);
+  static std::string statement(const Theorem& t);
   /// What was written since the last call.
   std::string take() { return std::exchange(written, ""); }
   int size() const { return int(lemmas.size()); }
 
 private:
   struct Context {
-    kernel::Exprs variables;
-    kernel::Exprs hypotheses;
+    Exprs variables;
+    Exprs hypotheses;
   };
   /// How a statement about an abstraction's variables begins and is proved, and for what terms it
   /// is used then.
@@ -73,46 +80,45 @@ private:
   };
 
   // steps.cpp
-  std::string with_lost_variables(const kernel::Theorem& t, Context c);
-  std::string proof(const kernel::Theorem& t, const Context& c);
-  std::string rewritten(const kernel::Theorem& t, const Context& c);
-  std::string induction(const kernel::Theorem& t, const Context& c);
-  std::string applied(const kernel::Theorem& premise, const Context& c,
-                      const kernel::Substitution& s = {});
+  std::string with_lost_variables(const Theorem& t, Context c);
+  std::string proof(const Theorem& t, const Context& c);
+  std::string rewritten(const Theorem& t, const Context& c);
+  std::string induction(const Theorem& t, const Context& c);
+  std::string applied(const Theorem& premise, const Context& c, const kernel::Substitution& s = {});
   // tautology.cpp
-  std::string tautology(const kernel::Theorem& t, const Context& c);
+  std::string tautology(const Theorem& t, const Context& c);
   // arithmetic.cpp
-  std::string arithmetic(const kernel::Theorem& t, const Context& c);
+  std::string arithmetic(const Theorem& t, const Context& c);
   // equal.cpp: proofs of l = r and f <-> g, which have one canonical form
   /// A lemma about e for all values of its variables and loose indices, applied to those here.
-  std::string shared(const std::string& kind, kernel::Expr e, const Names& bound,
+  std::string shared(const std::string& kind, Expr e, const Names& bound,
                      const std::function<std::string(const Names&)>& statement,
                      const std::function<std::string()>& proof);
-  std::string equal(kernel::Expr l, kernel::Expr r, const Names& bound);
-  std::string to_canonical(kernel::Expr e, const Names& bound);
-  std::string prove_canonical(kernel::Expr e);
-  std::string same(kernel::Expr f, kernel::Expr g, const Names& bound);
-  std::string same_entries(kernel::Expr f, const Names& bound);
+  std::string equal(Expr l, Expr r, const Names& bound);
+  std::string to_canonical(Expr e, const Names& bound);
+  std::string prove_canonical(Expr e);
+  std::string same(Expr f, Expr g, const Names& bound);
+  std::string same_entries(Expr f, const Names& bound);
   Core core(const Abstraction& a, const Names& bound);
   // definitions.cpp
-  void define_all(kernel::Expr e);
-  std::string definition(const kernel::Theorem& t);
-  std::string recursion(const kernel::Step& s);
-  std::string recursive(const kernel::Theorem& t);  ///< proves a start or a step
+  void define_all(Expr e);
+  std::string definition(const Theorem& t);
+  std::string recursion(const Step& s);
+  std::string recursive(const Theorem& t);  ///< proves a start or a step
 
   std::string add_lemma(const std::string& kind, const std::string& statement,
                         const std::string& proof);
 
   Proofs chosen;
-  std::map<std::string, kernel::Theorem> definitions = {};  ///< by the name that is defined
+  std::map<std::string, Theorem> definitions = {};  ///< by the name that is defined
   std::map<std::string, bool> is_defined = {};
   std::map<Sequent, std::string> lemmas = {};
-  std::map<std::pair<std::string, kernel::Expr>, std::string> shared_lemmas = {};
+  std::map<std::pair<std::string, Expr>, std::string> shared_lemmas = {};
   std::string written = {};
   int serial = 0;
 };
 
-bool is_matrix_equation(kernel::Expr f);
+bool is_matrix_equation(Expr f);
 /// The equations of its entries.
-kernel::Expr by_entries(kernel::Expr equation);
+Expr by_entries(Expr equation);
 }  // namespace coq

@@ -5,12 +5,6 @@
 #include "coq/script.hpp"
 
 namespace coq {
-using kernel::Expr;
-using kernel::Exprs;
-using kernel::Op;
-using kernel::Sort;
-using kernel::Theorem;
-
 namespace {
 Exprs variables_of(const Theorem& t) {
   Exprs all = t.hypotheses();
@@ -55,7 +49,7 @@ std::string Script::lemma(const Theorem& wanted) {
 }
 /// Variables of the premises that the theorem has no more may have any value, such as 0.
 std::string Script::with_lost_variables(const Theorem& t, Context c) {
-  const kernel::Step s = t.step();
+  const Step s = t.step();
   Exprs terms;
   for (const Theorem& p : s.premises) terms.push_back(p.conclusion());
   if (s.certificate) {
@@ -78,7 +72,7 @@ std::string Script::with_lost_variables(const Theorem& t, Context c) {
 }
 
 std::string Script::proof(const Theorem& t, const Context& c) {
-  const kernel::Step s = t.step();
+  const Step s = t.step();
   const std::string& rule = s.rule;
   if (rule == "assume") return "exact h'0.";
   if (rule == "arithmetic") return arithmetic(t, c);
@@ -117,14 +111,14 @@ std::string Script::proof(const Theorem& t, const Context& c) {
   return "exact (" + applied(p, c) + " " + gallina(e) + (takes_integer ? " ltac:(int)" : "") + ").";
 }
 std::string Script::rewritten(const Theorem& t, const Context& c) {
-  const kernel::Step s = t.step();
+  const Step s = t.step();
   const Expr equation = s.premises[0].conclusion(), l = equation.arg(0);
   return "exact (eq_ind " + gallina(l) + " (fun z'0 => " +
          gallina(s.premises[1].conclusion(), {}, {{l, "z'0"}}) + ") " + applied(s.premises[1], c) +
          " " + gallina(equation.arg(1)) + " " + applied(s.premises[0], c) + ").";
 }
 std::string Script::induction(const Theorem& t, const Context& c) {
-  const kernel::Step s = t.step();
+  const Step s = t.step();
   const Expr n = s.extras[0], lo = s.extras[1], f = s.extras[2];
   const Theorem& base = s.premises[0];
   const Theorem& step = s.premises[1];

@@ -5,10 +5,6 @@
 #include "kernel/polynomial.hpp"
 
 namespace coq {
-using kernel::Expr;
-using kernel::Op;
-using kernel::Theorem;
-
 namespace {
 bool is_connective(Expr f) {
   return f.op() == Op::Not || f.op() == Op::And || f.op() == Op::Or || f.op() == Op::Imp ||
@@ -40,8 +36,8 @@ public:
     if (names.emplace(f, "p'" + std::to_string(names.size())).second) order.push_back(f);
   }
   Atoms names = {};
-  kernel::Exprs order = {};
-  std::map<Expr, kernel::Exprs> alike = {};
+  Exprs order = {};
+  std::map<Expr, Exprs> alike = {};
 };
 }  // namespace
 

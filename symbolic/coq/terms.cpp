@@ -4,10 +4,6 @@
 #include "coq/script.hpp"
 
 namespace coq {
-using kernel::Expr;
-using kernel::Exprs;
-using kernel::Op;
-
 std::string name(const std::string& kernel_name) {
   static const std::map<std::string, std::string> own = {{"inv", "/"}, {"pi", "PI"}};
   static const std::set<std::string> taken = {
@@ -66,7 +62,7 @@ std::string gallina(Expr e, const Names& bound, const Atoms& atoms) {
     case Op::All: {
       Names inner = bound;
       inner.push_back("q'" + std::to_string(bound.size()));
-      const bool is_integer = e.bound_sort() == kernel::Sort::Int;
+      const bool is_integer = e.bound_sort() == Sort::Int;
       return "(forall " + inner.back() + " : R, " +
              (is_integer ? "isint " + inner.back() + " -> " : "") +
              gallina(e.arg(0), inner, atoms) + ")";
