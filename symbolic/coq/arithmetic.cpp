@@ -25,9 +25,8 @@ Polynomial coefficient(const Polynomial& e, Expr atom, int k) {
   Polynomial out;
   for (const auto& [m, q] : e) {
     if (degree(m, atom) != k) continue;
-    kernel::Monomial rest;
-    for (const auto& factor : m)
-      if (!(factor.first == atom)) rest.push_back(factor);
+    kernel::Monomial rest = m;
+    std::erase_if(rest, [&](const auto& factor) { return factor.first == atom; });
     out = out + Polynomial{{rest, q}};
   }
   return out;
@@ -39,13 +38,9 @@ Cofactors cofactors(Polynomial e, const std::map<Expr, Theorem>& divisors) {
   Cofactors out;
   Polynomial before = one();
   while (true) {
-    Expr w;
-    int k = 0;
-    for (const auto& [m, q] : e)
-      for (const auto& [a, exponent] : m)
-        if (a.op() == Op::Fun && a.name() == "inv" && divisors.count(a.arg(0)) && (!w || w < a))
-          w = a;
+    const Expr w = kernel::youngest_inverse(e, [&](Expr d) { return divisors.contains(d); });
     if (!w) return out;
+    int k = 0;
     for (const auto& [m, q] : e) k = std::max(k, degree(m, w));
     // e = (w d - 1) (sum of quotient_j w^j) + rest w^k
     const Polynomial d = kernel::polynomial(w.arg(0));

@@ -13,8 +13,7 @@ bool is_sum_or_product(Expr e) {
   return e.op() == Op::Num || e.op() == Op::Add || e.op() == Op::Mul || e.op() == Op::Pow;
 }
 bool is_number(Expr e) {
-  return e.op() == Op::Fun && e.name() == "inv" && e.arg(0).op() == Op::Num &&
-         e.arg(0).value() != 0;
+  return kernel::is_call(e, "inv") && e.arg(0).op() == Op::Num && e.arg(0).value() != 0;
 }
 /// As the prelude's det computes it.
 Expr laplace(Expr a, int row, const std::vector<int>& columns) {

@@ -68,8 +68,7 @@ public:
 
 private:
   struct Context {
-    Exprs variables;
-    Exprs hypotheses;
+    Exprs variables, hypotheses;
   };
   /// How a statement about an abstraction's variables begins and is proved, and for what terms it
   /// is used then.

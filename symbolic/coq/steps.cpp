@@ -11,9 +11,7 @@ Exprs variables_of(const Theorem& t) {
   all.push_back(t.conclusion());
   return coq::variables_of(all);
 }
-bool is_in(const Exprs& list, Expr e) {
-  return std::find(list.begin(), list.end(), e) != list.end();
-}
+bool is_in(const Exprs& list, Expr e) { return std::ranges::count(list, e) != 0; }
 }  // namespace
 
 std::string Script::statement(const Theorem& t) {
@@ -57,13 +55,11 @@ std::string Script::with_lost_variables(const Theorem& t, Context c) {
     for (const auto& product : s.certificate->products)
       terms.insert(terms.end(), product.roots.begin(), product.roots.end());
   }
-  Exprs lost;
   const bool binds = s.rule == "generalize" || s.rule == "instantiate" || s.rule == "induction";
-  for (Expr v : coq::variables_of(terms))
-    if (!binds && !is_in(c.variables, v)) lost.push_back(v);
-  c.variables.insert(c.variables.end(), lost.begin(), lost.end());
   std::string out;
-  for (Expr v : lost) {
+  for (Expr v : coq::variables_of(terms)) {
+    if (binds || is_in(c.variables, v)) continue;
+    c.variables.push_back(v);
     out += "pose (" + name(v.name()) + " := 0). ";
     if (v.sort() == Sort::Int)
       out += "assert (i'" + v.name() + " : isint " + name(v.name()) + ") by exact (int_num 0). ";
