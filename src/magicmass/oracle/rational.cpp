@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -35,14 +34,6 @@ long spacing_exponent(const cl_RA& x) {
   return std::max(binade - (Limits::digits - 1), smallest_spacing);
 }
 
-/// To nearest, ties to even, for x >= 0.
-cl_I rounded(const cl_RA& x) {
-  const cl_I whole = cln::floor1(x);
-  const cl_RA twice_rest = (x - whole) * 2;
-  const bool up = twice_rest > 1 || (twice_rest == 1 && cln::oddp(whole));
-  return up ? whole + 1 : whole;
-}
-
 }  // namespace
 
 cl_RA exact(double value) {
@@ -50,15 +41,15 @@ cl_RA exact(double value) {
     throw std::invalid_argument("an infinity or NaN is not a rational number");
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
-  const auto mantissa = static_cast<std::int64_t>(std::ldexp(fraction, Limits::digits));
-  return scaled(cl_I(static_cast<long long>(mantissa)), exponent - Limits::digits);
+  const auto mantissa = static_cast<long long>(std::ldexp(fraction, Limits::digits));
+  return scaled(cl_I(mantissa), exponent - Limits::digits);
 }
 
 double nearest(const cl_RA& x) {
   if (cln::zerop(x)) return 0;
   const cl_RA size = cln::abs(x);
   const long spacing = spacing_exponent(size);
-  const cl_I whole = rounded(scaled(size, -spacing));
+  const cl_I whole = cln::round1(scaled(size, -spacing));  // ties to even
   // whole <= 2^53, so it is a double; ldexp only moves its exponent, or overflows:
   // mantissas are at least 2^52 there, and 2^52 2^972 is past the largest double.
   const double mantissa = cln::double_approx(whole);
