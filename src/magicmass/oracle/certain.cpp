@@ -9,9 +9,6 @@
 namespace magicmass::oracle {
 namespace {
 
-using cln::cl_I;
-using cln::cl_RA;
-
 /// sec(pi/divisor) - 1 for divisor >= 4. CLN works with 64 bits more than asked; its manual
 /// promises pi and cos to about the last place, and 2^32 times that is allowed here. The cosine is
 /// at least 1/2, so the secant is off by at most 4 times that.
@@ -46,10 +43,8 @@ MassRatio operator*(const MassRatio& alpha, const cl_RA& factor) {
   return {std::nullopt, enclosed, alpha.length + length(factor)};
 }
 
-MassRatio magic(const cl_I& k) {
-  // sec(pi/3) - 1 = 1; as a number it lets exact zeros be seen.
-  return k == 1 ? ratio(1) : secant_ratio(2 * k + 1);
-}
+// sec(pi/3) - 1 = 1; as a number it lets exact zeros be seen.
+MassRatio magic(const cl_I& k) { return k == 1 ? ratio(1) : secant_ratio(2 * k + 1); }
 
 MassRatio deficient(const cl_I& k) { return secant_ratio(2 * (k + 1)); }
 

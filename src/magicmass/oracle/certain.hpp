@@ -15,36 +15,35 @@ namespace magicmass::oracle {
 
 /// alpha as a source of enclosures: called with a precision p it returns one of width <= 2^(3-p).
 struct MassRatio {
-  std::optional<cln::cl_RA> rational;      ///< the number itself, where it is one
+  std::optional<cl_RA> rational;           ///< the number itself, where it is one
   std::function<Interval(long)> enclosed;  ///< at a precision >= 1
   long length;                             ///< bits that it takes to tell alpha from 0 and infinity
 };
 
 /// A rational alpha > 0, else throws std::invalid_argument.
-MassRatio ratio(const cln::cl_RA& alpha);
+MassRatio ratio(const cl_RA& alpha);
 /// So many times as large; factor > 0.
-MassRatio operator*(const MassRatio& alpha, const cln::cl_RA& factor);
-/// The k-th magic mass ratio, k >= 1; the first is the number 1.
-MassRatio magic(const cln::cl_I& k);
-/// The k-th deficient mass ratio, k >= 1.
-MassRatio deficient(const cln::cl_I& k);
+MassRatio operator*(const MassRatio& alpha, const cl_RA& factor);
+/// The k-th of each family, k >= 1; the first magic mass ratio is the number 1.
+MassRatio magic(const cl_I& k);
+MassRatio deficient(const cl_I& k);
 
 /// A monotone rounding.
 template <class Value>
 struct Rounding {
   /// What all numbers from low to high round to, if it is the same; it is where low == high.
-  std::function<std::optional<Value>(const cln::cl_RA& low, const cln::cl_RA& high)> common;
+  std::function<std::optional<Value>(const cl_RA& low, const cl_RA& high)> common;
   long bits;  ///< that the value holds
 };
 
 /// To the nearest double.
 Rounding<double> to_double();
 /// To a rational with a relative error below 2^-bits.
-Rounding<cln::cl_RA> to_within(long bits);
+Rounding<cl_RA> to_within(long bits);
 
 /// Bits of the denominator of the velocities after j collisions, before reduction to lowest terms:
 /// about the length of alpha a collision.
-cln::cl_I exact_length(const cln::cl_RA& alpha, const cln::cl_I& j);
+cl_I exact_length(const cl_RA& alpha, const cl_I& j);
 
 /// Rounds each number of the quantity: where alpha is rational and its exact numbers short, these
 /// themselves, which settles zeros and ties; else intervals of ever more bits. They widen by a few
@@ -57,7 +56,7 @@ std::vector<Value> certain(const MassRatio& alpha, const Quantity& quantity,
   constexpr long short_length = 1L << 12;
   std::vector<Value> values;
   if (alpha.rational && exact_length(*alpha.rational, quantity.j) <= short_length) {
-    for (const cln::cl_RA& x : quantity(*alpha.rational)) values.push_back(*rounding.common(x, x));
+    for (const cl_RA& x : quantity(*alpha.rational)) values.push_back(*rounding.common(x, x));
     return values;
   }
   const auto squarings = static_cast<long>(cln::integer_length(quantity.j));
@@ -84,13 +83,13 @@ std::vector<Value> certain(const MassRatio& alpha, const Quantity& quantity,
 template <class Quantity>
 std::vector<double> envelopes(const MassRatio& alpha, const Quantity& quantity) {
   constexpr long bits = 60;
-  const cln::cl_RA step = cln::recip(cln::cl_RA(cln::ash(cln::cl_I(1), bits)));
+  const cl_RA step = cln::recip(cl_RA(cln::ash(cl_I(1), bits)));
   const auto here = certain(alpha, quantity, to_within(2 * bits));
   const auto beside = certain(alpha * (1 + step), quantity, to_within(2 * bits));
   std::vector<double> values;
   for (std::size_t i = 0; i < here.size(); ++i) {
     const bool is_zero = cln::zerop(here[i]);
-    const cln::cl_RA cond = is_zero ? 0 : cln::abs((beside[i] / here[i] - 1) / step);
+    const cl_RA cond = is_zero ? 0 : cln::abs((beside[i] / here[i] - 1) / step);
     values.push_back(is_zero ? std::numeric_limits<double>::infinity()
                              : std::max(0.5, nearest(cond / 2)));
   }

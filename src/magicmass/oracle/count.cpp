@@ -2,13 +2,10 @@
 // Large counts are found by bisection on the signs of closing speeds.
 #include <optional>
 
-#include "magicmass/oracle/quantities.hpp"
+#include "magicmass/oracle/certain.hpp"
 
 namespace magicmass::oracle {
 namespace {
-
-using cln::cl_I;
-using cln::cl_RA;
 
 /// Nothing where the interval leaves it open.
 std::optional<bool> closes(const Interval& speed) {
@@ -60,13 +57,12 @@ std::optional<Counts> search(const Interval& alpha) {
 }  // namespace
 
 Counts count_collisions(const cl_RA& alpha) {
-  if (!cln::plusp(alpha))
-    throw std::invalid_argument("alpha must be positive, got " + to_text(alpha));
+  const MassRatio source = ratio(alpha);
   // A squaring costs a few bits, up to n = alpha^(-1/2), and telling alpha from a threshold takes
   // what alpha's own digits take: the first precision mostly does.
-  const long first = 16 + length(alpha);
+  const long first = 16 + source.length;
   for (long precision = first; precision <= 64 * first; precision *= 2)
-    if (const std::optional<Counts> counts = search(Interval(alpha, precision))) return *counts;
+    if (const std::optional<Counts> counts = search(source.enclosed(precision))) return *counts;
   throw Undecided("alpha is closer to a threshold than " + std::to_string(64 * first) +
                   " bits can tell");
 }

@@ -6,9 +6,6 @@
 
 namespace magicmass::oracle {
 
-using cln::cl_I;
-using cln::cl_RA;
-
 Interval::Interval(int value) : low_(value), high_(value), precision_(0) {}
 
 Interval::Interval(const cl_RA& x, long precision) : Interval(x, x, precision) {}
@@ -50,12 +47,8 @@ Interval operator*(const Interval& x, const Interval& y) {
   // Ends at 2^-(px + py), cut back to the larger of the two; ash rounds down.
   const long p = std::max(x.precision_, y.precision_);
   const long cut = std::min(x.precision_, y.precision_);
-  const cl_I ll = x.low_ * y.low_;
-  const cl_I lh = x.low_ * y.high_;
-  const cl_I hl = x.high_ * y.low_;
-  const cl_I hh = x.high_ * y.high_;
-  const cl_I low = cln::min(cln::min(ll, lh), cln::min(hl, hh));
-  const cl_I high = cln::max(cln::max(ll, lh), cln::max(hl, hh));
+  const auto [low, high] =
+      std::minmax({x.low_ * y.low_, x.low_ * y.high_, x.high_ * y.low_, x.high_ * y.high_});
   return {cln::ash(low, -cut), -cln::ash(-high, -cut), p};
 }
 

@@ -10,6 +10,9 @@
 
 namespace magicmass::oracle {
 
+using cln::cl_I;
+using cln::cl_RA;
+
 /// The question has an answer, but not at the precision or size that the oracle goes to.
 /// What the caller has wrong (alpha <= 0) is a std::invalid_argument.
 class Undecided : public std::runtime_error {
@@ -27,13 +30,13 @@ public:
   /// An exact integer.
   Interval(int value = 0);
   /// The tightest enclosure of x with ends that are multiples of 2^-precision; precision >= 0.
-  Interval(const cln::cl_RA& x, long precision);
+  Interval(const cl_RA& x, long precision);
   /// The tightest enclosure of [low, high] with such ends; low <= high.
-  Interval(const cln::cl_RA& low, const cln::cl_RA& high, long precision);
+  Interval(const cl_RA& low, const cl_RA& high, long precision);
 
   long precision() const { return precision_; }  ///< p: the ends are multiples of 2^-p
-  cln::cl_RA low() const;
-  cln::cl_RA high() const;
+  cl_RA low() const;
+  cl_RA high() const;
   Sign sign() const;
 
   /// Rounded outward, as are the others; division throws Undecided if y may be zero.
@@ -43,11 +46,11 @@ public:
   friend Interval operator/(const Interval& x, const Interval& y);
 
 private:
-  cln::cl_I low_;
-  cln::cl_I high_;
+  cl_I low_;
+  cl_I high_;
   long precision_;
 
-  Interval(const cln::cl_I& low, const cln::cl_I& high, long precision);
+  Interval(const cl_I& low, const cl_I& high, long precision);
   /// The same interval with its ends written at a precision not below its own.
   Interval at(long precision) const;
 };

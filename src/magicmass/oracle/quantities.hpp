@@ -49,10 +49,10 @@ Cycle<Scalar> cycle_of(const Scalar& alpha) {
 /// The velocities after j >= 0 collisions, A's first, by squaring: the map goes on past the last
 /// collision, physics does not.
 template <class Scalar>
-Velocity<Scalar> after_collisions(const Cycle<Scalar>& cycle, const cln::cl_I& j,
+Velocity<Scalar> after_collisions(const Cycle<Scalar>& cycle, const cl_I& j,
                                   Velocity<Scalar> v = Velocity<Scalar>::UnitX()) {
   Map<Scalar> cycles = cycle.with_B * cycle.with_A;
-  const cln::cl_I n = cln::floor1(j, 2);
+  const cl_I n = cln::floor1(j, 2);
   for (std::size_t bit = 0; bit < cln::integer_length(n); ++bit) {
     if (bit > 0) cycles = Map<Scalar>(cycles * cycles);
     if (cln::logbitp(bit, n)) v = Velocity<Scalar>(cycles * v);
@@ -62,8 +62,8 @@ Velocity<Scalar> after_collisions(const Cycle<Scalar>& cycle, const cln::cl_I& j
 
 /// N_A and N_B, of any size.
 struct Counts {
-  cln::cl_I N_A;  ///< of A and C
-  cln::cl_I N_B;  ///< of C and B
+  cl_I N_A;  ///< of A and C
+  cl_I N_B;  ///< of C and B
 
   friend bool operator==(const Counts&, const Counts&) = default;
 };
@@ -71,15 +71,15 @@ struct Counts {
 /// Exact for rational alpha > 0 of any size, else throws std::invalid_argument; the cost grows with
 /// log(1/alpha). Throws Undecided if a sign is open at 64 times the bits that alpha's size calls
 /// for (never seen).
-Counts count_collisions(const cln::cl_RA& alpha);
+Counts count_collisions(const cl_RA& alpha);
 
 /// a_n, b_n, c_n, c'_n, in this order, n >= 0; for n = 0 they are 1, 0, 0, 0. Also beyond the last
 /// collision: the map goes on, physics does not.
 struct OfCycle {
-  cln::cl_I n;
-  cln::cl_I j = 2 * n;
+  cl_I n;
+  cl_I j = 2 * n;
 
-  explicit OfCycle(const cln::cl_I& index) : n(index) {}
+  explicit OfCycle(const cl_I& index) : n(index) {}
 
   template <class Scalar>
   std::vector<Scalar> operator()(const Scalar& alpha) const {
@@ -95,9 +95,9 @@ struct OfCycle {
 /// the places that bodies would have had at time 0 obey one map, so before collision j they are
 /// those of its j-th power.
 struct AtCollision {
-  cln::cl_I j;
+  cl_I j;
 
-  explicit AtCollision(const cln::cl_I& index) : j(index) {}
+  explicit AtCollision(const cl_I& index) : j(index) {}
 
   template <class Scalar>
   std::vector<Scalar> operator()(const Scalar& alpha) const {
@@ -113,7 +113,7 @@ struct AtCollision {
 /// a_t, b_t, c_t, rho, in this order, after as many collisions as the counts say: of rational alpha
 /// ask count_collisions(), of magic:k and deficient:k they are known by theorem.
 struct AtEnd {
-  cln::cl_I j;
+  cl_I j;
 
   explicit AtEnd(const Counts& counts) : j(counts.N_A + counts.N_B) {}
 
@@ -126,7 +126,7 @@ struct AtEnd {
 
 /// alpha alone.
 struct Itself {
-  cln::cl_I j = 0;
+  cl_I j = 0;
 
   template <class Scalar>
   std::vector<Scalar> operator()(const Scalar& alpha) const {
