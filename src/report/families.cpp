@@ -50,7 +50,6 @@ double threshold(Random& random, oracle::MassRatio (*of)(const cln::cl_I&), unsi
 }
 
 std::int64_t anywhere(Random& random, std::int64_t last) { return whole(random, 0, last); }
-std::int64_t of_any_length(Random& random, std::int64_t last) { return log_whole(random, last); }
 std::int64_t ends(Random& random, std::int64_t last) {
   const std::int64_t from_either = whole(random, 0, 1);
   return whole(random, 0, 1) == 0 ? from_either : last - from_either;
@@ -78,17 +77,16 @@ const std::vector<Family>& families() {
       {"first and last", "alpha from 1e-20 to 100, n = 0, 1, N - 1, N", 5,
        [](Random& r) { return among(r, 1e-20, 100); }, ends},
       {"many collisions", "alpha from 5.9e-38 to 2e-19, N from 2^32 to 2^62", 6,
-       [](Random& r) { return among(r, 5.9e-38, 2e-19); }, of_any_length},
+       [](Random& r) { return among(r, 5.9e-38, 2e-19); }, log_whole},
       {"tiny", "alpha from 1e-300 to 1e-30", 7, [](Random& r) { return among(r, 1e-300, 1e-30); },
-       of_any_length},
+       log_whole},
       // As many leading zeros as one likes, else nearly all would be next to the normal range.
       {"subnormal", "alpha below 2.3e-308", 8,
-       [](Random& r) { return std::bit_cast<double>(log_whole(r, (1LL << 52U) - 1)); },
-       of_any_length},
+       [](Random& r) { return std::bit_cast<double>(log_whole(r, (1LL << 52U) - 1)); }, log_whole},
       {"huge", "alpha from 1e3 to the largest double", 9,
        [](Random& r) { return whole(r, 0, 15) == 0 ? largest : among(r, 1e3, largest); }, ends},
       {"any double", "every positive double alike", 10,
-       [](Random& r) { return among(r, 0x1p-1074, largest); }, of_any_length},
+       [](Random& r) { return among(r, 0x1p-1074, largest); }, log_whole},
       {"everyday", "alpha from 1e-6 to 10", 11, [](Random& r) { return among(r, 1e-6, 10); },
        anywhere},
   };

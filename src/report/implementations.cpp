@@ -66,17 +66,16 @@ void store(Columns& to, std::size_t i, const Result& r) {
     std::size_t column = 0;
     ((to.values[column++][i] = rounded(x)), ...);
   };
-  const auto counts = [&](auto N_A, auto N_B) {
-    to.counts[0][i] = std::int64_t(N_A);
-    to.counts[1][i] = std::int64_t(N_B);
-  };
   if constexpr (requires { r.value(); }) store(to, i, r.value());
   if constexpr (requires { r.c_prime; }) values(r.a, r.b, r.c, r.c_prime);
   if constexpr (requires { r.s; }) values(r.t, r.s);
   if constexpr (requires { r.rho; }) values(r.a_t, r.b_t, r.c_t, r.rho);
   if constexpr (requires { r.magic; }) values(r.magic, r.deficient);
-  if constexpr (requires { r.counts; }) counts(r.counts.N_A, r.counts.N_B);
-  if constexpr (requires { r.N_A; }) counts(r.N_A, r.N_B);
+  if constexpr (requires { r.counts; }) store(to, i, r.counts);
+  if constexpr (requires { r.N_A; }) {
+    to.counts[0][i] = std::int64_t(r.N_A);
+    to.counts[1][i] = std::int64_t(r.N_B);
+  }
 }
 
 /// One call after the other, each result stored: nothing else is in the loop.
