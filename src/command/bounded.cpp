@@ -16,6 +16,7 @@
 #include <unistd.h>
 
 #include "command/frame.hpp"
+#include "host/child.hpp"
 
 constexpr std::int64_t end_seconds = 5;
 
@@ -55,13 +56,8 @@ struct Progress {
 [[noreturn]] void run_child(const Limits& limits, int to_parent,
                             const std::function<ExitCode(const Tell&)>& action) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const rlimit no_core{0, 0};
-  ::setrlimit(RLIMIT_CORE, &no_core);
-  if (__asan_init == nullptr) {
-    const auto bytes = static_cast<rlim_t>(limits.mebibytes) << 20U;
-    const rlimit memory{bytes, bytes};
-    ::setrlimit(RLIMIT_AS, &memory);
-  }
+  host::limit(RLIMIT_CORE, 0);
+  if (__asan_init == nullptr) host::limit(RLIMIT_AS, static_cast<rlim_t>(limits.mebibytes) << 20U);
   const ExitCode code = action([to_parent](std::uint64_t rows) {
     [[maybe_unused]] const ssize_t ignored = ::write(to_parent, &rows, sizeof rows);
   });
@@ -126,17 +122,14 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
     wait_for(pipe[0], {end_seconds, 0}, progress);  // what it started ends with it
   }
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   ::close(pipe[0]);
   progress.hide();
-  if (!is_done) {
-    return say(name + ": not done after " + std::to_string(limits.seconds) + " s" +
-                   (progress.rows > 0 ? ", only " + std::to_string(progress.rows) + " rows" : "") +
-                   "; a smaller question may do, or a longer --time-limit",
-               ExitCode::undecided);
-  }
-  return verdict(name, status, limits);
+  if (is_done) return verdict(name, status, limits);
+  return say(name + ": not done after " + std::to_string(limits.seconds) + " s" +
+                 (progress.rows > 0 ? ", only " + std::to_string(progress.rows) + " rows" : "") +
+                 "; a smaller question may do, or a longer --time-limit",
+             ExitCode::undecided);
 }
 
 ExitCode say(const std::string& message, ExitCode code) {

@@ -43,8 +43,8 @@ public:
     ::lseek(descriptor, 0, SEEK_SET);
     std::string text;
     char block[1 << 16];
-    for (auto count = ::read(descriptor, block, sizeof block); count > 0;
-         count = ::read(descriptor, block, sizeof block))
+    ssize_t count = 0;
+    while ((count = ::read(descriptor, block, sizeof block)) > 0)
       text.append(block, static_cast<std::size_t>(count));
     return text;
   }
@@ -54,11 +54,6 @@ public:
 struct Streams {
   Memory given{"input"}, output{"output"}, errors{"errors"}, results{"results"}, refused{"refused"};
 };
-
-void limit(__rlimit_resource resource, rlim_t value) {
-  const rlimit limits{value, value};
-  ::setrlimit(resource, &limits);
-}
 
 [[noreturn]] void become(const std::vector<char*>& words, const Bounds& bounds,
                          const Streams& streams) {
@@ -106,12 +101,16 @@ void end_group(int) { ::kill(0, SIGKILL); }
   const pid_t child = ::fork();
   if (child == 0) become(words, bounds, streams);
   int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   ::_exit(WIFEXITED(status) ? WEXITSTATUS(status) : of_signal + WTERMSIG(status));
 }
 
 }  // namespace
+
+void limit(__rlimit_resource resource, rlim_t value) {
+  const rlimit limits{value, value};
+  ::setrlimit(resource, &limits);
+}
 
 End end_of(std::vector<std::string> words, const std::string& input, const Bounds& bounds) {
   const Streams streams;
@@ -163,8 +162,7 @@ TemporaryFolder::TemporaryFolder(const std::string& name) {
   ::setsid();  // what ends a group of processes does not end this one
   ::close(alive_);
   char nothing = 0;
-  while (::read(pipe[0], &nothing, 1) < 0 && errno == EINTR) {
-  }
+  while (::read(pipe[0], &nothing, 1) < 0 && errno == EINTR) continue;
   std::filesystem::remove_all(path, error);
   ::_exit(0);
 }

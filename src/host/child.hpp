@@ -40,6 +40,9 @@ End end_of(std::vector<std::string> words, const std::string& input = "",
 /// The same without bounds; nothing where it is not installed.
 std::optional<End> said_by(std::vector<std::string> words, const std::string& input = "");
 
+/// Of this process and those that it starts.
+void limit(__rlimit_resource resource, rlim_t value);
+
 /// A folder that goes with all that is in it, however this process ends: another one waits for
 /// that, and for the programs that were run meanwhile.
 class TemporaryFolder {
