@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
-#include <array>
-#include <charconv>
+#include <iomanip>
 #include <set>
 #include <sstream>
 
@@ -18,11 +17,9 @@ std::size_t decimals(const std::string& number) {
   return point == std::string::npos ? 0 : number.size() - point - 1;
 }
 std::string with_decimals(const std::string& number, std::size_t digits) {
-  std::array<char, 64> text{};
-  char* const end = std::to_chars(text.data(), text.data() + text.size(), std::stod(number),
-                                  std::chars_format::fixed, static_cast<int>(digits))
-                        .ptr;
-  return {text.data(), end};
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(static_cast<int>(digits)) << std::stod(number);
+  return text.str();
 }
 
 bool agree(const std::string& printed, const std::string& ours) {
@@ -104,8 +101,7 @@ Answer page_of(const Table& comparisons, const std::string& format) {
     return std::ranges::count(comparisons.rows, verdict,
                               [](const Row& row) { return row[4].text; });
   };
-  Answer answer{comparisons, ""};
-  answer.check_failed = count("differs") > 0;
+  Answer answer{.table = comparisons, .check_failed = count("differs") > 0};
   if (format == "text" || format == "markdown")
     answer.document = std::to_string(comparisons.rows.size()) +
                       " numbers of the paper: " + std::to_string(count("agrees")) + " agree, " +
