@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "command/files.hpp"
 #include "host/child.hpp"
 #include "host/embedded.hpp"
+#include "learn/exercise.hpp"
 #include "report/report.hpp"
 
 namespace command {
@@ -20,9 +20,8 @@ std::string script_of(const std::string& figure) {
 /// What a script says of its figure in lines "# KEY ...": title, description, size.
 std::string told(const std::string& script, const std::string& key) {
   const std::string begin = "# " + key + " ";
-  std::istringstream lines(script);
-  std::string text, line;
-  while (std::getline(lines, line))
+  std::string text;
+  for (const std::string& line : learn::fields(script, '\n'))
     if (line.starts_with(begin)) text += (text.empty() ? "" : " ") + line.substr(begin.size());
   return text;
 }
@@ -34,13 +33,11 @@ std::string filled(const std::string& script, const std::string& data, const std
 /// What gnuplot prints for a script; script and picture are passed in memory.
 std::string drawn(const std::string& script) {
   const auto said = host::said_by({"gnuplot", "-d", "-"}, script);
-  if (!said) {
+  if (!said)
     throw InvalidInput(
         "figure: drawing needs gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");
-  }
-  if (said->code != 0) {
+  if (said->code != 0)
     throw std::runtime_error("figure: gnuplot could not draw: " + shown_text(said->errors, 200));
-  }
   return said->output;
 }
 /// No date: two runs give the same bytes. Of the same length, since a PDF counts its bytes. Where
@@ -120,10 +117,9 @@ Answer figure(const Request& request) {
   if (request.words.size() != 1 || request.has("list"))
     throw InvalidInput("figure: give one name, or --list; allowed: " + joined(names));
   const auto found = std::ranges::find(all, request.words[0], &Figure::name);
-  if (found == all.end()) {
+  if (found == all.end())
     throw InvalidInput("figure: no figure " + shown_text(request.words[0]) +
                        "; allowed: " + joined(names));
-  }
   const std::string format = format_of(request);  // refused before the data are computed
   return {{}, picture(*found, found->data(), format)};
 }

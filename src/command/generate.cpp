@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <filesystem>
-#include <sstream>
 
 #include "command/files.hpp"
 #include "generate/quantities.hpp"
+#include "learn/exercise.hpp"
 #include "magicmass/scenes/trio.hpp"
 
 namespace command {
@@ -14,10 +14,8 @@ using Names = std::set<std::string>;
 
 /// Names between commas.
 Names listed(const std::string& text) {
-  Names names;
-  std::istringstream words(text);
-  for (std::string word; std::getline(words, word, ',');) names.insert(word);
-  return names;
+  const learn::Texts names = learn::fields(text, ',');
+  return {names.begin(), names.end()};
 }
 
 /// What a scene's outputs are computed from. The evaluators are of the paper's three bodies.
@@ -49,7 +47,6 @@ Names needed(const std::string& file) {
   return names;
 }
 
-/// One header.
 std::string header(const answers::Request& request) {
   const bool is_scene = request.has("scene");
   if (request.has("out") || request.has("check") || (is_scene && request.has("quantity")))
