@@ -51,12 +51,11 @@ answers::Answer verify(const answers::Request& request) {
     if (!said)
       throw InvalidInput("verify: --with coq needs coqc (Debian: coq); allowed: no --with");
     last = said->output;
-    if (said->code == 0) {
-      for (auto at = text.find(step); at != text.npos; at = text.find(step, at + 1)) ++checked;
-      continue;
+    if (said->code != 0) {
+      problem = name + ": " + said->errors;
+      break;
     }
-    problem = name + ": " + said->errors;
-    break;
+    for (auto at = text.find(step); at != text.npos; at = text.find(step, at + 1)) ++checked;
   }
   if (problem.empty()) problem = coq::foreign_assumption(last);
   answer.check_failed = !problem.empty();

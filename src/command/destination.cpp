@@ -62,10 +62,8 @@ Destination::Destination(const std::string& path, std::function<void()> before_w
     : shown_(answers::shown_text(path, 200)),
       descriptor_(named_descriptor(path)),
       before_writing_(std::move(before_writing)) {
-  if (descriptor_ >= 0) {
-    shown_ = descriptor_ == STDOUT_FILENO ? "stdout" : shown_;
-    return;
-  }
+  if (descriptor_ == STDOUT_FILENO) shown_ = "stdout";
+  if (descriptor_ >= 0) return;
   struct stat there {};
   const bool exists = ::stat(path.c_str(), &there) == 0;
   if (!exists && errno != ENOENT) refuse(errno);  // a link to itself, for one

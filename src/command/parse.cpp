@@ -21,10 +21,9 @@ std::vector<Option> options_of(const Command& command) {
   std::vector<std::string> columns;
   for (const Option& option : command.options)
     if (option.is_column) columns.push_back(option.name);
-  if (!columns.empty()) {
+  if (!columns.empty())
     options.push_back(
         {"input", "FILE", "CSV of " + joined(columns) + ", others skipped; - is stdin"});
-  }
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
   const std::string endless = command.endless.empty() ? "" : "; none: " + joined(command.endless);
@@ -109,18 +108,15 @@ Asked asked_for(const Command& command, const std::vector<Option>& options,
   const bool has_end = request.words.empty() || std::ranges::count(endless, request.words[0]) == 0;
   request.format = request.has("format") ? request.text("format") : command.formats.front();
   for (const Option& option : options) {
-    const auto& allowed = option.choices;
     const std::string value = request.text(option.name);
     const bool is_given = request.has(option.name);
-    if (is_given && !allowed.empty() && std::ranges::count(allowed, value) == 0) {
+    if (is_given && !option.choices.empty() && std::ranges::count(option.choices, value) == 0)
       throw InvalidInput(the(command, "unknown " + option.name + " " + shown_text(value) +
-                                          "; allowed: " + joined(allowed)));
-    }
+                                          "; allowed: " + joined(option.choices)));
     const bool may_be_column = request.has("input") && option.is_column;
-    if (option.is_required && !is_given && !may_be_column) {
+    if (option.is_required && !is_given && !may_be_column)
       throw InvalidInput(
           the(command, "--" + option.name + " is missing; example: " + command.example));
-    }
   }
   const Limits limits{
       request.whole("time-limit", 1, no_limit)

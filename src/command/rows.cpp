@@ -40,18 +40,16 @@ CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wa
   for (std::size_t i = 0; i < size_; ++i) {
     const std::string& name = fields_[i];
     const bool is_wanted = std::count(wanted.begin(), wanted.end(), name) != 0;
-    if (std::count(refused.begin(), refused.end(), name) != 0) {
+    if (std::count(refused.begin(), refused.end(), name) != 0)
       refuse(name + ": not a column but one option for all rows, --" + name +
              "; options that may be columns: " + allowed);
-    }
     if (is_wanted && std::count(names_.begin(), names_.end(), name) != 0)
       refuse(name + ": a column of that name was there before");
     names_.push_back(is_wanted ? name : "");
     if (is_wanted) columns_.push_back(name);
   }
-  if (columns_.empty()) {
+  if (columns_.empty())
     refuse("the first line must name a column, got " + shown_text(line_) + "; allowed: " + allowed);
-  }
 }
 
 void CsvReader::cannot_read() const {
@@ -136,10 +134,9 @@ bool CsvReader::next(std::vector<std::string>& row) {
   if (!is_there) return false;
   if (is_empty) refuse("an empty line; allowed: at the end");
   split_line();
-  if (size_ != names_.size()) {
+  if (size_ != names_.size())
     refuse("fields: got " + std::to_string(size_) +
            "; allowed: as many as the header names: " + std::to_string(names_.size()));
-  }
   row.resize(columns_.size());
   for (std::size_t i = 0, column = 0; i < size_; ++i) {
     if (names_[i].empty()) continue;

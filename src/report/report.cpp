@@ -159,10 +159,9 @@ Answer report(const Request& request) {
   for (const Family& family : families()) names.push_back(family.name);
   for (const Implementation& one : plan.implementations)
     if (std::count(names.begin(), names.end(), one.name) == 0) names.push_back(one.name);
-  if (!plan.only.empty() && std::count(names.begin(), names.end(), plan.only) == 0) {
+  if (!plan.only.empty() && std::count(names.begin(), names.end(), plan.only) == 0)
     throw InvalidInput("report: no quantity, family or evaluator " + shown_text(plan.only) +
                        "; allowed: " + joined(names));
-  }
   const std::vector<Measurement> measurements = measure(plan);
   if (request.format == "json" || request.format == "csv") return {table_of(measurements)};
   return {{}, document_of(measurements, request.format == "markdown")};
