@@ -178,7 +178,7 @@ void follow_by_theorem(const Scene& scene, const Result& result, const Points& s
   if (end) return show_at(value_of(std::get<double>(*end)));
   if (result.events == 0) return show(0, first);
   stream_by_theorem(scene, result.events, [&](const Row& row) {
-    show(std::get<double>(row.time), last_places_by_theorem(scene, result.events));
+    show(std::get<double>(row.time), places_by_theorem(scene, result.events));
   });
 }
 

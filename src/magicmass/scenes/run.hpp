@@ -89,11 +89,9 @@ std::optional<Result> by_theorem(const Scene& scene);
 /// Every so many of its collisions; of a collapse at least the first three, and more while doubles
 /// can tell their times apart.
 void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink);
-/// Where its bodies are at a time, which is after so many collisions at most; nothing: a collapse,
-/// after which all go on together.
+/// Where its bodies are at a time, or at the last of so many collisions, the most that come
+/// before it; nothing: a collapse, after which all go on together.
 std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int64_t> most,
-                                      const Value& time);
-/// The same at the last of so many collisions, which are not 0.
-std::vector<double> last_places_by_theorem(const Scene& scene, std::int64_t collisions);
+                                      const std::optional<Value>& time = {});
 
 }  // namespace magicmass::scenes

@@ -178,17 +178,13 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
   }
 }
 
-std::vector<double> last_places_by_theorem(const Scene& scene, std::int64_t collisions) {
-  const Trios trios = *Trios::of(scene);
-  return certain([&] { return trios.places(trios.collision(collisions - 1).time, collisions); });
-}
-
 /// Where the time may be that of a collision, the ways before and after it have the same doubles.
 std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int64_t> most,
-                                      const Value& time) {
+                                      const std::optional<Value>& time) {
   const Trios trios = *Trios::of(scene);
+  if (!time) return certain([&] { return trios.places(trios.collision(*most - 1).time, *most); });
   const auto told = [&]() -> std::optional<std::vector<double>> {
-    const Ball at = ball_of(time);
+    const Ball at = ball_of(*time);
     if (!most) {
       const Trio::Collision end = trios.collapse();
       const Ball since = at - end.time;
@@ -201,7 +197,7 @@ std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int
     const auto after = [&](bool if_open) {
       const std::int64_t N = count_of(most.value_or(INT64_MAX / 4), [&](std::int64_t j) {
         try {
-          return is_by(trios, j, time);
+          return is_by(trios, j, *time);
         } catch (const NotCertain&) {
           ++open;
           return if_open;
@@ -213,7 +209,7 @@ std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int
     if (open == 0 || after(true) == std::pair(N + 1, places)) return places;
     return {};
   };
-  return with_bits(17, told, " to tell where bodies are at the time " + time.text);
+  return with_bits(17, told, " to tell where bodies are at the time " + time->text);
 }
 
 }  // namespace magicmass::scenes
