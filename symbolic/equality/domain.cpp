@@ -109,7 +109,6 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
   if (!is_inside)
     for (int value : {1, -1, 2, -2, 0, 3, -3}) add(value);
   if (!is_inside) add_around(0);
-  if (!is_inside) add_around(cln::cl_RA(1) / 7);
   for (int below = 2; below <= 4 && !range.is_integer; ++below)
     for (int above = 1; above < 2 * below; ++above) {
       const cln::cl_RA fraction = cln::cl_RA(above) / below;
@@ -127,7 +126,7 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
   for (int below : {10, 100, 1000}) add_around(cln::cl_RA(1) / below);
   room = most;
   std::set<cln::cl_RA> turns = special;
-  turns.insert(0);
+  turns.insert({0, cln::cl_RA(1) / 7});
   for (const std::optional<End>& end : {range.low, range.high})
     if (end) turns.insert(end->value);
   const cln::cl_RA below = 4 * cln::min(cln::cl_RA(-1), *turns.begin());
