@@ -54,13 +54,17 @@ std::vector<Requirement> conditions(const Domain& domain) {
 std::optional<Expr> zero_of(Expr term, Expr x) {
   const auto at = [&](int value) { return kernel::substitute(term, {{x, Expr(value)}}); };
   const Expr rise = at(1) - at(0);
-  const bool is_linear = is_proved([&] {
+  std::optional<Expr> value;
+  is_proved([&] {
     Forms forms({});
+    const auto real = forms.real_expression(forms.of(Expr(-1) * at(0) / rise));
     const auto number = forms.real_expression(forms.of(rise));
-    return number && exact_sign(*number).value_or(0) != 0 &&
-           forms.is_zero(forms.of(term - at(0) - rise * x));
+    if (real && number && exact_sign(*number).value_or(0) != 0 &&
+        forms.is_zero(forms.of(term - at(0) - rise * x)))
+      value = kernel::expression(kernel::polynomial(*real));
+    return true;
   });
-  return is_linear ? std::optional(Expr(-1) * at(0) / rise) : std::nullopt;
+  return value;
 }
 
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {

@@ -304,8 +304,7 @@ int Forms::sign_of_quadratic(const Sum& sum) {
     const Sum a = parts[top], b = parts[top / 2], c = parts[0];
     if (!has_numbers || top <= 0 || parts.size() != 3 || b.empty() || c.empty()) continue;
     const int sign = sign_of(a);
-    if (std::abs(sign) < 2) continue;
-    const int rest = sign_of(scaled(times(a, c), 4) - times(b, b));
+    const int rest = std::abs(sign) == 2 ? sign_of(scaled(times(a, c), 4) - times(b, b)) : 0;
     if (rest > 0) return product(sign, rest);
   }
   return 0;
