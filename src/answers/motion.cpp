@@ -106,6 +106,7 @@ std::optional<int> digits_wanted(const Request& request) {
   if (!request.has("digits")) return {};
   return static_cast<int>(request.size("digits", 1, 10000));
 }
+
 Row rounded(const std::function<Balls()>& values, std::optional<int> digits) {
   const auto cells = [&]() -> std::optional<Row> {
     Row row;

@@ -36,7 +36,7 @@ Names needed(const std::string& file) {
   }
   for (const char* const key : {"until", "max_events", "every"})
     if (scene.has(key))
-      refuse_key(scene, key, "evaluators are of all collisions", "scenes without");
+      refuse_key(scene, key, "evaluators cover all collisions", "a scene without it");
   Names names;
   for (const std::string& output : scene.outputs) {
     const auto found = all.find(output);

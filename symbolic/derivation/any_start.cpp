@@ -129,7 +129,7 @@ void line(Book& book) {
   const Theorem wait_is = divided(wait, (B - A) / nearing(j + 1), {nearing(j + 1)},
                                   linear(eq(wait * nearing(j + 1), B - A), {waited, met}));
   const Theorem gap = times(ordered, root_power(j + 1) * side(j + 1) * r_e() / swing(j));
-  book.show("later", "so that where A meets the ball first collisions come one after the other:",
+  book.show("later", "so that, if A meets the ball first, collisions come one after the other:",
             linear(le(T, next_T),
                    {wait_is, times(linear(le(0, B - A), {apart, gap}), 1 / nearing(j + 1))}));
 }
