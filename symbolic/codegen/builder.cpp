@@ -160,7 +160,7 @@ int Builder::turn(int k) {
   return add({.op = Op::turn, .of = {k}, .is_exact = true, .is_whole = true});
 }
 int Builder::arc_tangent(int t, int square) {
-  if (!(program[square].range.high <= 0x1.5555555555556p-2))
+  if (numbers != Numbers::wide && !(program[square].range.high <= 0x1.5555555555556p-2))
     throw Refused("an arctangent of what is not known to be at most 1/sqrt(3)");
   return add({.op = Op::arc_tangent, .of = {t, square}});
 }

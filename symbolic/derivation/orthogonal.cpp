@@ -36,18 +36,21 @@ Theorem one_more_not_0(Expr t) {
   return tautology(neq(1 + t, 0), {assume(neq(t, -1)), linear(imp(eq(1 + t, 0), eq(t, -1)))});
 }
 
-/// |- name = matrix of names, for Q, O, F and S
+/// The third axis of the frame F
+Expr third_axis() { return column({real("r_13"), real("r_23"), real("r_33")}); }
+/// |- name = matrix, for those of the plane and of space
 Theorems named_matrices(Book& book) {
   Theorems names;
-  const auto named = [&](const char* name, int size, const char* entry, const char* words) {
-    const Expr m = matrix_of_names(size, entry);
+  const auto named = [&](const std::string& name, Expr m, const std::string& words) {
     names.push_back(define(name, kernel::entries(m), m));  // none of its entries is printed
-    book.show(std::string("def_") + name, words, names.back());
+    book.show("def_" + name, words, names.back());
   };
-  named("Q", 2, "o", "Any matrix of the plane,");
-  named("O", 3, "o", "any matrix of space,");
-  named("F", 3, "r", "a frame,");
-  named("S", 3, "m", "and a matrix as seen in that frame:");
+  named("Q", matrix_of_names(2), "Any matrix of the plane,");
+  named("O", matrix_of_names(3), "any matrix of space,");
+  named("F", matrix_of_names(3, "r"), "a frame,");
+  named("f_3", third_axis(), "its third axis,");
+  named("S", matrix_of_names(3, "m"), "a matrix as seen in that frame,");
+  names.push_back(book.define("I", {}, identity(3), {}, "and the identity:"));
   return names;
 }
 Theorem with_names(const Theorems& names, Theorem t) {
@@ -135,21 +138,62 @@ Theorems cofactor_rule(Expr o, const Theorem& is) {
   return entries(calculation(times(times(cofactors, transpose(o)), o), cofactors,
                              {{times(cofactors, gram(o)), is}}));
 }
-/// In space: with determinant 1 there is an axis, with -1 there is one after the reflection P_3.
-void in_space(Book& book, const Theorems& names, const Theorem& is) {
-  const Expr o = matrix_of_names(3), d = det(o), one = identity(3);
-  Exprs less_1, without;
+/// |- x = 0 from x^2 <= 0
+Theorem is_0(Expr of, const Theorem& square) {
+  const Theorem is = follows(eq(power(of, 2), 0), {square, not_negative(power(of, 2))});
+  const Theorem none = given(neq(of, 0), [&](const Theorem& other) {
+    return arithmetic(eq(of, 0), {.equations = {{-1, is}}, .multipliers = {other}});
+  });
+  return tautology(eq(of, 0), {none});
+}
+/// In space, with determinant 1, there is an axis: what the cofactors X of O - 1 make.
+void axis(Book& book, const Theorems& names, const Theorem& is) {
+  const Expr o = matrix_of_names(3), one = identity(3);
   const Exprs all = kernel::entries(o), products = kernel::entries(gram(o));
+  const Theorem d_is_1 = assume(eq(det(o), 1));
+  Exprs less_1, without, cofactors;
   for (std::size_t i = 0; i < 9; ++i) {
     less_1.push_back(i % 4 == 0 ? all[i] - 1 : all[i]);
     without.push_back(-all[3 * (i % 3) + i / 3] + products[i]);
   }
-  const Expr fixed = det(matrix(3, less_1));
+  const Expr rest = matrix(3, less_1), fixed = det(rest);
+  for (int i = 0; i < 9; ++i) cofactors.push_back(cofactor(rest, i % 3, i / 3));
   const Theorem product =
-      rewritten(entries(is) + Theorems{assume(eq(d, 1))},
-                equation(d * fixed, det(matrix(3, without))));  // det(O^T) det(O - 1)
-  book.show("axis", "With determinant 1 it has the eigenvalue 1, so that an axis stays as it is:",
-            with_names(names, linear(eq(fixed, 0), {product})));
+      rewritten(entries(is) + Theorems{d_is_1},
+                equation(det(o) * fixed, det(matrix(3, without))));  // det(O^T) det(O - 1)
+  const Theorem none = linear(eq(fixed, 0), {product});
+  book.show("axis", "With determinant 1 it has the eigenvalue 1,", with_names(names, none));
+  const Theorem X = define("X", all, matrix(3, cofactors));
+  book.show("def_X", "and with the cofactors of O - 1,", X);
+  book.show("axis_kept", "each column of X stays as it is: an axis,",
+            with_names(names + Theorems{X}, linear(eq(times(o, right(X)), right(X)), {none})));
+  // The squares of the entries of O - 1 have the sum 6 - 2 tr(O) = 2 tr(X).
+  Theorems facts = entries(rewrite(X, assume(eq(left(X), matrix(3, Exprs(9, 0)))))) + entries(is);
+  for (const Expr& entry : less_1) facts.push_back(not_negative(power(entry, 2)));
+  const Theorems times_d = cofactor_rule(o, is);
+  for (std::size_t i = 0; i < 9; i += 4)
+    facts.push_back(arithmetic(eq(all[i], cofactor(o, int(i / 3), int(i / 3))),
+                               {.equations = {{1, times_d[i]}, {-all[i], d_is_1}}}));
+  Theorems zeros;
+  for (const Expr& entry : less_1)
+    zeros.push_back(is_0(entry, linear(le(power(entry, 2), 0), facts)));
+  book.show("axis_only",
+            "and if X is 0, every line is one:", with_names(names, linear(eq(o, one), zeros)));
+  const Expr r = matrix_of_names(3, "r"), p = entry(r, 0, 2), q = entry(r, 1, 2),
+             s = entry(r, 2, 2);
+  const Expr per = 1 / (1 + s), across = -p * q * per;
+  const Theorem unit = assume(eq(power(p, 2) + power(q, 2) + power(s, 2), 1));
+  const Expr frame =
+      matrix(3, {1 - power(p, 2) * per, across, p, across, 1 - power(q, 2) * per, q, -p, -q, s});
+  const Theorem divides = one_more_not_0(s);
+  know(divides);
+  book.show(
+      "frame", "An axis of length 1, or else its reverse, is the third one of a frame:",
+      with_names(names, equation(eq(gram(frame), one), {solved_for(power(p, 2), unit), divides})));
+}
+/// With determinant -1 a reflection comes first.
+void in_space(Book& book, const Theorems& names, const Theorem& is) {
+  const Expr o = matrix_of_names(3), d = det(o), one = identity(3);
   const Theorem mirror = book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
                                    "The reflection of the third axis:");
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
@@ -185,10 +229,9 @@ void in_space(Book& book, const Theorems& names, const Theorem& is) {
 void about_an_axis(Book& book, const Theorems& names, const Theorem& is, const Theorems& in_plane) {
   const Expr o = matrix_of_names(3), r = matrix_of_names(3, "r"), m = matrix_of_names(3, "m");
   const Expr one = identity(3), d = det(r), e_3 = column({0, 0, 1}), back = transpose(r);
-  const Expr third_axis = column({entry(r, 0, 2), entry(r, 1, 2), entry(r, 2, 2)});
   const Expr s = times(times(back, o), r), frame = times(r, back);
   const Theorem of_r = assume(eq(gram(r), one)), d_is_1 = assume(eq(det(o), 1));
-  const Theorem fixed = assume(eq(times(o, third_axis), third_axis)), named = assume(eq(s, m));
+  const Theorem fixed = assume(eq(times(o, third_axis()), third_axis())), named = assume(eq(s, m));
   // d R = cofactors, and d^2 = 1, so R R^T = 1.
   const Theorem squared = squared_determinant(r, of_r);
   const Theorems times_d = cofactor_rule(r, of_r);
@@ -210,11 +253,11 @@ void about_an_axis(Book& book, const Theorems& names, const Theorem& is, const T
                    {gram(r), of_r}});
   const Theorem column_3 =
       calculation(times(s, e_3), e_3,
-                  {{times(back, times(o, third_axis)), fixed}, {times(gram(r), e_3), of_r}});
+                  {{times(back, times(o, third_axis())), fixed}, {times(gram(r), e_3), of_r}});
   const Theorem row_3 = calculation(times(transpose(e_3), s), transpose(e_3),
-                                    {{times(times(transpose(third_axis), o), r),
-                                      linear(eq(third_axis, times(o, third_axis)), {fixed})},
-                                     {times(times(transpose(third_axis), gram(o)), r), is},
+                                    {{times(times(transpose(third_axis()), o), r),
+                                      linear(eq(third_axis(), times(o, third_axis())), {fixed})},
+                                     {times(times(transpose(third_axis()), gram(o)), r), is},
                                      {times(transpose(e_3), gram(r)), of_r}});
   // So the rest of S is orthogonal with determinant 1: a rotation of the plane.
   Theorem shape = named;
@@ -257,6 +300,7 @@ void orthogonal(Book& book) {
   const Theorems names = named_matrices(book);
   const Theorems rotations = in_the_plane(book, names, orthogonal(book, names, 2));
   const Theorem is = orthogonal(book, names, 3);
+  axis(book, names, is);
   in_space(book, names, is);
   about_an_axis(book, names, is, rotations);
 }

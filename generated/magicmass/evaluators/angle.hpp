@@ -20,31 +20,31 @@ struct AngleInputs {
 struct AngleOutputs {
   double psi;
 };
-/// angle, small: alpha from 0x1p-300 to 0x1p+0.
+/// angle, general: alpha from 0x1p-300 to 0x1p+0, z between 0x0p+0 and 0x1.5555555555556p-2.
 /// Theorem: psi = 4*half_h
-/// z <= 1/3, t^2 = z: by theorem
+/// t^2 = z: by theorem
 /// Operations: arctangents: 1, products by doubles: 2, quotients: 1, reciprocal roots: 1, sums of
 ///   doubles: 1.
 template <class Tier, class N>
-struct AngleSmall {
+struct AngleGeneral {
   using T = typename N::Value;
   using R = typename N::Result;
   T alpha;
   R doubt{}, psi;
-  N half_h, of_psi;
+  N z, half_h, of_psi;
   static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.7d1p-53},
       {0x1.a66p-75},
       {0x1.7dp-98},
       {0x1.401p+4}};
   static constexpr const double* E = bounds[Tier::number];
-  [[gnu::always_inline]] explicit AngleSmall(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
+  [[gnu::always_inline]] explicit AngleGeneral(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
   [[gnu::always_inline]] AngleOutputs outputs() const { return {psi}; }
   [[gnu::always_inline]] void stage_1() {
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
     const N t1 = times(above, alpha);  // for w
     const N w = reciprocal_root(t1);  // w = 1/sqrt(alpha*above)
-    const N z = quotient(alpha, above);  // z = alpha/above
+    z = quotient(alpha, above);  // z = alpha/above
     const N t = times(w, alpha);  // t = alpha*w
     half_h = arc_tangent<Tier>(t, z);  // half_h = atan(t)
   }
@@ -53,6 +53,7 @@ struct AngleSmall {
   }
   [[gnu::always_inline]] void stage_3() {
     psi = rounded_by<Tier>(of_psi, size_of(half_h) * E[0], doubt);
+    doubt = doubt + doubt_of_range(z, 0x0p+0, (N::is_wide ? 0x1p+1 : 0x1.5555555555556p-2));
   }
 };
 /// What its callers need to know of angle.
@@ -62,8 +63,9 @@ struct Angle {
   /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
-    if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <= 0x1p+0)
-      return f.template operator()<AngleSmall>();
+    if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <= (is_wide ?
+        0x1.fffffffffffffp+1023 : 0x1p+0))
+      return f.template operator()<AngleGeneral>();
     return 1.0;
   }
 };

@@ -154,15 +154,7 @@ bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j) {
   return settle<generated::Collision>(result, "a collision", false, alpha, j);
 }
 bool angle_by_mpfr(double& result, double alpha) {
-  // The case is for alpha <= 1, where DoubleDouble's arctangent ends; each of MPFR's operations
-  // has its relative bound everywhere.
-  until_certain("angle", alpha, false, [&] {
-    generated::AngleSmall<Ziv, MpfrFloat> k({alpha});
-    const double doubt = run(k);
-    result = k.psi;
-    return doubt;
-  });
-  return true;
+  return settle<generated::Angle>(result, "angle", false, alpha);
 }
 bool magic_by_mpfr(double& result, std::int64_t k) {
   return settle<generated::Magic>(result, "magic", false, k);

@@ -161,6 +161,13 @@ Matrix matrix_function(const std::string& f, const Vector& x) {
   if (f == "Q") return {{x[0], x[1]}, {x[2], x[3]}};
   if (f == "O" || f == "F" || f == "S")
     return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, {x[6], x[7], x[8]}};
+  if (f == "f_3") return {{x[0]}, {x[1]}, {x[2]}};
+  if (f == "I") return matrix_function("O", {1, 0, 0, 0, 1, 0, 0, 0, 1});
+  if (f == "X") {  // the cofactors of O - 1: normals of its rows
+    const Vector a{x[0] - 1, x[1], x[2]}, b{x[3], x[4] - 1, x[5]}, c{x[6], x[7], x[8] - 1};
+    const Vector p = cross(b, c), q = cross(c, a), r = cross(a, b);
+    return {{p[0], q[0], r[0]}, {p[1], q[1], r[1]}, {p[2], q[2], r[2]}};
+  }
   if (f == "P_2") return {{1, 0}, {0, -1}};
   if (f == "P_3") return {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
   if (f == "Gamma") return matrix_function("mirror", {1, x[0]});

@@ -221,6 +221,7 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
   o = product(matrix_function("lambda_3", {angle}), o);
   if (!variables.count(kernel::real("o_33")) && o[2][2] < 0)
     o = product(o, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
+  if (any_of(4) == 0) o = matrix_function("lambda_3", {exact(0)});
   // A frame whose third axis it may leave as it is, and the matrix in that frame.
   Matrix r = matrix_function(any_of(2) ? "P_3" : "lambda_3", {between(-3, 3)});
   for (const char* axis : {"lambda_1", "lambda_2"})
