@@ -115,8 +115,7 @@ Theorem cosine_falls(const Theorem& less, const Theorems& facts) {
       goal, {given(lt(p, q), below), where_equal(p, q, goal, linear(le(cos(q), cos(q)))), less});
 }
 Theorem cosine_positive(const Theorem& from, const Theorem& below) {
-  const Theorem edge = linear(le(pi() / 2, pi()));
-  return linear(lt(0, cos(left(below))), {cosine_falls(below, {from, edge})});
+  return linear(lt(0, cos(left(below))), {cosine_falls(below, {from})});
 }
 Theorem sine_not_negative(Expr t, const Theorems& facts) {
   const Expr goal = le(0, sin(t));

@@ -36,14 +36,12 @@ int Builder::add(Node n) {
     if (numbers != Numbers::field) throw;
     n.range = {-infinity, infinity};  // a field's numbers are of any size
   }
-  const bool is_product = n.op == Op::product || n.op == Op::exact_product;
   if (n.range.least() > 0)
     n.least = n.range.least();
-  else if (is_product)
+  else if (n.op == Op::product || n.op == Op::exact_product)
     n.least = program[n.of[0]].least * program[n.of[1]].least;
   const double most = largest_size(numbers);
-  const bool may_underflow = n.least > 0 && n.least < 1 / most;
-  if (!(n.range.size() <= most) || may_underflow)
+  if (!(n.range.size() <= most) || (n.least > 0 && n.least < 1 / most))
     throw Refused("a value of operation " + std::to_string(int(n.op)) + " may over- or underflow");
   program.nodes.push_back(n);
   return seen[key] = program.size() - 1;

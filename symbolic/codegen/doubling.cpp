@@ -54,7 +54,6 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
   know(terms, at(f, 1), "first");
   const std::string lower = value(t.even, "low"), upper = value(t.even, "high");
   know(terms, at(f, m + 1), "high");
-  const std::string between = value(t.odd, "low");
   const auto line = [](const std::string& code, const kernel::Theorem& of) {
     return commented(code, kernel::text(of.conclusion()));
   };
@@ -66,7 +65,7 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
          "  Number high = first;\n"
          "  const std::uint64_t index = 2 * std::uint64_t(n);\n"
          "  for (int bit = int(std::bit_width(index)); bit-- > 0;) {\n" +
-         line("    const Number between = " + between + ";", t.odd) +
+         line("    const Number between = " + value(t.odd, "low") + ";", t.odd) +
          "    if ((index >> bit & 1) != 0) {\n      low = between;\n" +
          line("      high = " + upper + ";", t.even) + "    } else {\n      high = between;\n" +
          line("      low = " + lower + ";", t.even) + "    }\n  }\n  return {low, high};\n}\n";

@@ -186,8 +186,7 @@ private:
       if (n.stage != stage || !has_line) continue;
       const bool is_function = n.op == Op::sine || n.op == Op::cosine;
       if (is_function && paired.insert(n.of[0]).second) line("    " + sine_and_cosine(p, n));
-      const bool is_member = kept.count(k) > 0;
-      const std::string type = is_member ? "" : n.is_exact ? "const T " : "const N ";
+      const std::string type = kept.count(k) > 0 ? "" : n.is_exact ? "const T " : "const N ";
       const std::string maybe = type == "const N " && n.op == Op::scale ? "[[maybe_unused]] " : "";
       result.header +=
           commented("    " + maybe + type + n.name + " = " + right_side(p, n) + ";", purpose(p, k));

@@ -185,14 +185,12 @@ private:
               (o == x ? c.of_x : c.of_y) + c.of_result;  // |x + y| <= |x| + |y|
           add(f, error(o));
           if (p[o].op == Op::cosine) {  // its high part is no size
-            const double loss = of_operand * absorber.most(o) + 3 * t.u * (*this)[o].spill;
-            add(f, {{{}, loss * and_more}});
+            add(f, {{{}, of_operand * absorber.most(o) + 3 * t.u * (*this)[o].spill}}, and_more);
           } else {
             add_loss(f, of_operand, o);
           }
         }
-        const bool has_constant = p[x].op == Op::constant || p[y].op == Op::constant;
-        if (has_constant) f = absorber.constant(f);
+        if (p[x].op == Op::constant || p[y].op == Op::constant) f = absorber.constant(f);
         here.loose = c.loose;
         break;
       }

@@ -88,8 +88,7 @@ Interval operator/(Interval x, Interval y) {
   if (y.low < 0 && y.high <= 0) return Interval{-x.high, -x.low} / Interval{-y.high, -y.low};
   if (y.low < 0 || y.high == 0)
     throw Refused("a divisor that may be 0: its range needs a theorem or a guard");
-  const Interval inverse = around(1 / y.high, y.low > 0 ? 1 / y.low : infinity);
-  return x * meet(inverse, {0, infinity});
+  return x * meet(around(1 / y.high, y.low > 0 ? 1 / y.low : infinity), {0, infinity});
 }
 Interval root(Interval x) {
   if (!(x.low >= 0)) throw Refused("a square root of what may be negative");

@@ -54,7 +54,6 @@ Cofactors cofactors(Polynomial e, const std::map<Expr, Theorem>& divisors) {
     e = coefficient(e, w, k) - d * quotient;
   }
 }
-
 }  // namespace
 
 std::string Script::arithmetic(const Theorem& t, const Context& c) {
@@ -110,12 +109,11 @@ std::string Script::arithmetic(const Theorem& t, const Context& c) {
   }
   std::string statement, proofs, nonzero;
   for (const auto& [w, f] : rest) {
-    const std::string n = std::to_string(nonzero.size());
     add(words(kernel::expression(f)) + " * (" + words(w) + " * " + words(w.arg(0)) + " - 1)");
     statement += words(w) + " = / " + words(w.arg(0)) + " -> ";
     proofs += " eq_refl";
-    nonzero += "assert (n'" + n + " : " + words(w.arg(0)) + " <> 0) by divisor (1" +
-               gap_of(divisors.at(w.arg(0))) + "). ";
+    nonzero += "assert (n'" + std::to_string(nonzero.size()) + " : " + words(w.arg(0)) +
+               " <> 0) by divisor (1" + gap_of(divisors.at(w.arg(0))) + "). ";
   }
   for (const auto& [f, p] : used) {
     statement += a.print(f) + " -> ";

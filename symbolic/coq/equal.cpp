@@ -121,9 +121,8 @@ std::string Script::prove_canonical(Expr e) {
   a.add_atoms_of(e);
   a.add_atoms_of(form);
   const Core c = core(a, own);
-  const std::string equation = a.print(e) + " = " + a.print(form);
-  return "assert (c'0 : " + c.statement + equation + "). { clear. intros" + c.intros +
-         ". lra. } exact (c'0" + c.arguments + ").";
+  return "assert (c'0 : " + c.statement + a.print(e) + " = " + a.print(form) +
+         "). { clear. intros" + c.intros + ". lra. } exact (c'0" + c.arguments + ").";
 }
 
 bool is_matrix_equation(Expr f) { return f.op() == Op::Eq && f.arg(0).sort() == Sort::Matrix; }
@@ -134,11 +133,10 @@ Expr by_entries(Expr equation) {
   return kernel::logic_and(out);
 }
 std::string Script::same_entries(Expr f, const Names& bound) {
-  const std::string count = std::to_string(kernel::entries(f.arg(0)).size());
   return shared(
       "m'", f, bound,
       [&](const Names& own) { return gallina(f, own) + " <-> " + gallina(by_entries(f), own); },
-      [&] { return "entrywise " + count + "%nat."; });
+      [&] { return "entrywise " + std::to_string(kernel::entries(f.arg(0)).size()) + "%nat."; });
 }
 
 std::string Script::same(Expr f, Expr g, const Names& bound) {

@@ -62,9 +62,8 @@ std::string gallina(Expr e, const Names& bound, const Atoms& atoms) {
     case Op::All: {
       Names inner = bound;
       inner.push_back("q'" + std::to_string(bound.size()));
-      const bool is_integer = e.bound_sort() == Sort::Int;
       return "(forall " + inner.back() + " : R, " +
-             (is_integer ? "isint " + inner.back() + " -> " : "") +
+             (e.bound_sort() == Sort::Int ? "isint " + inner.back() + " -> " : "") +
              gallina(e.arg(0), inner, atoms) + ")";
     }
     case Op::Matrix:

@@ -14,8 +14,7 @@ void closed_form(Book& book, const Theorem& r_e_is) {
   Theorems first = values + Theorems{book["any_start.first"], turns[0], pow_is[0]};
   for (const Theorem& t : {turns[1], pow_is[1], of_kappa("chebyshev.start"), last})
     first.push_back(canonical_form(at(t, {{j, 0}})));
-  Theorems next = values + Theorems{book["any_start.recurrence"], book["cycle.turn_squared"],
-                                    of_kappa("chebyshev.next")};
+  Theorems next = values + Theorems{book["any_start.recurrence"], book["cycle.turn_squared"]};
   for (const Theorem& t : {turns[1], pow_is[1], last})
     next = next + Theorems{at(t), at(t, {{j, j + 1}})};
   const Theorem speed =
@@ -29,11 +28,9 @@ void closed_form(Book& book, const Theorem& r_e_is) {
 void number(Book& book) {
   const Known here;
   Exprs domain = of_wedge({lt(0, e), lt(kappa(), 1), V_positive});
-  know(both(assumed({domain[4], V_positive})));
   const Theorem cosine = turned(book["wedge.cosine"]);
   know(book["wedge.acute"]);
   const Expr h = right(cosine).arg(0);
-  know(positive(sin(h)));
   const Expr slope = (kappa() + W / V * r_e()) / sin(h), tilt = atan(slope);
   const Theorem is =
       book.define("phase_e", any_start(), pi() / 2 - tilt, domain,
@@ -56,8 +53,7 @@ void number(Book& book) {
                 {book["any_start.takes_place"],
                  same_sign(iff(lt(0, swing(j)), lt(0, sin(angle(j + 1)))), V * length,
                            {restate(eq(swing(j), V * length * sin(angle(j + 1))), sines)})});
-  const Theorems range = parts({at("atan range", {{x, slope}})});
-  know(both({linear(lt(0, phase), {range[1], is}), linear(lt(0, pi() - phase), {range[0], is})}));
+  know(both({linear(lt(0, phase), {is}), linear(lt(0, pi() - phase), {is})}));
   count(book, {"N_any", any_start(), domain, nearing, angle, h, (pi() - phase) / h + 1, sign});
 }
 /// Of a theorem of V and W that of d_A and d_B.
@@ -123,7 +119,6 @@ void line(Book& book) {
   const Theorem met = book["any_start.met"];
   Theorems here_and_next = goes_on + Theorems{at(meets, {{j, j + 1}})};
   for (const Theorem& t : with("closing")) here_and_next.push_back(at(t, {{j, j + 1}}));
-  for (const Theorem& is : lines) here_and_next.push_back(at(is, {{j, j + 1}, {tau, T}}));
   here_and_next.push_back(at(part(book["cycle.turn"], 1)));
   const Theorem waited = equation(wait * nearing(j + 1), B - A - left(met), here_and_next);
   const Theorem wait_is = divided(wait, (B - A) / nearing(j + 1), {nearing(j + 1)},
@@ -139,7 +134,6 @@ void collapse_from_any_start(Book& book) {
   know(from_1);
   const auto of_collapse = [&](const char* id) { return cut(from_1, book[id]); };
   know(of_collapse("collapse.root"));
-  know(of_collapse("collapse.neighbours"));
   const Expr y_e = left(of_collapse("collapse.y_e")), at_end = V + W * r_e() * y_e;
   const Theorem gap = part(of_collapse("collapse.neighbours"), 0);
   const Theorems rise = parts({at(book["chebyshev.rise"], {{x, kappa()}})});

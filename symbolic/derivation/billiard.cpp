@@ -54,12 +54,11 @@ void walls(Book& book, const Theorem& cosine) {
             "products is 0:",
             both({equation(dot(A_C, place, s * r_A() * (x - y))),
                   equation(dot(C_B, place, s * r_B() * (y - B * z)))}));
-  const Theorem shape = lossless(book, "wedge.kappa");
   const Theorems shares = squared_shares(book);
-  book.show(
-      "enclosed", "Those two vectors have length 1, and their walls enclose the angle h:",
-      both({equation(dot(A_C, A_C, 1), shares), equation(dot(C_B, C_B, 1), shares),
-            equation(dot(A_C, C_B, -right(cosine)), {turned(cosine), shape, root_is(1, 1)})}));
+  book.show("enclosed", "Those two vectors have length 1, and their walls enclose the angle h:",
+            both({equation(dot(A_C, A_C, 1), shares), equation(dot(C_B, C_B, 1), shares),
+                  equation(dot(A_C, C_B, -right(cosine)),
+                           {turned(cosine), lossless(book, "wedge.kappa"), root_is(1, 1)})}));
 }
 void unfolded(Book& book) {
   const Expr going = substitute(lt(0, closing(j)), elastic);
@@ -89,9 +88,8 @@ void unfolded(Book& book) {
       tautology(lt(0, here(U(j))), {lossless(book, "motion.takes_place"), assume(going)});
   const Expr sine = sin((j + 1) * h);
   know(takes_place);
-  const Exprs by_masses = of_wedge({});
   const auto named = [&](const char* name, Expr of, Expr value, const char* words) {
-    return book.define(name, {M_A, w_B, M_C, of}, value, by_masses, words);
+    return book.define(name, {M_A, w_B, M_C, of}, value, of_wedge({}), words);
   };
   const Theorem L_is = named("scaled_L", L, unit * L, "With the distance at first");
   const Theorem V_is = named("scaled_V", V, unit * V * (r_A() / r_B()), "and the speed");

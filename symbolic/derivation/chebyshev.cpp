@@ -54,8 +54,7 @@ void chebyshev(Book& book) {
   book.show("neighbours", "three neighbours keep, whatever x is,",
             equation(power(U_x(j), 2) - U_x(j + 1) * last(j), 1, {after, kept}));
   know(assume(lt(0, y)));
-  const Theorem mean = assume(eq(x, (y + 1 / y) / 2));
-  const Theorem root = equation(power(y, 2), 2 * x * y - 1, {mean});
+  const Theorem root = equation(power(y, 2), 2 * x * y - 1, {assume(eq(x, (y + 1 / y) / 2))});
   const auto pow = [](Expr i) { return fun("pow", {y, i}); };
   const Theorems powers = parts({book["multiples.pow"]});
   const Theorem before =

@@ -56,7 +56,6 @@ void neighbours(Book& book) {
   const Theorem distance = at(book["chebyshev.distance"], {{x, kappa()}, {y, y_e}},
                               {equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic})});
   const Theorem powers_next = at(powers_of(book, at_most_1), {{j, j + 1}});
-  know(part(powers_next, 0));
   book.show("neighbours", "and below which quotients of neighbours are,",
             both({distance, part(powers_next, 0), part(powers_next, 1)}));
 }

@@ -18,12 +18,11 @@ struct Last {
 void last_collision(Book& book, const Last& last) {
   const Theorem number = book["counting." + last.name];
   const Expr early = last.before * psi(), late = last.after * psi(), z = quotient();
-  const Theorem around = book.show(
+  know_for_good(book.show(
       last.name + "_angle",
       last.name == "N_A" ? "pi lies between two angles near N_A psi," : "For B it is N_B psi:",
       both({scaled(lt(early, pi()), lt(last.before, z), psi(), {number}),
-            scaled(le(pi(), late), le(z, last.after), psi(), {number})}));
-  know_for_good(around);
+            scaled(le(pi(), late), le(z, last.after), psi(), {number})})));
   const Theorem sine_before = positive(sin(early));
   const Theorem sine_after = at(at(book["counting.sine_past_pi"], {{x, late}}));
   book.show(last.name + "_sines", last.label + "-simple", "where the sines have different signs,",
@@ -60,9 +59,8 @@ void two_cases(Book& book) {
     return linear(eq(up, value), around_z + Theorems{where});
   };
   const auto counts = [&](Expr claim, Expr top, Expr of_A, const Theorem& where) {
-    return linear(claim,
-                  {book["counting.N_A"], book["counting.N_B"], rounded(ceil(z - half), of_A, where),
-                   rounded(ceil(z - 1), top - 1, where), rounded(ceil(z), top, where)});
+    return linear(claim, {book["counting.N_A"], book["counting.N_B"],
+                          rounded(ceil(z - half), of_A, where), rounded(ceil(z), top, where)});
   };
   const Expr small = logic_and({lt(0, rest), le(rest, half)});
   book.show("N_A_near", "eq:NANB-ans eq:NANB-ans-txt",

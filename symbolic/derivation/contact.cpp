@@ -17,8 +17,7 @@ Theorem velocities_after(Book& book) {
                 "A collision of bodies with masses M_1 and M_2 changes velocities u into v. It "
                 "keeps momentum and energy, and something changes:",
                 define("contact", bodies, logic_and({momentum, energy, changed}), 0));
-  const Theorem collision = assume(fun("contact", bodies));
-  const Theorems laws = parts({tautology(right(law), {law, collision})});
+  const Theorems laws = parts({tautology(right(law), {law, assume(fun("contact", bodies))})});
   const Theorem P = laws[0], E = laws[1], changes = laws[2];
 
   // M_1 (u_1 - v_1) ((u_1 + v_1) - (u_2 + v_2)) = 0, and the first two factors are not 0.

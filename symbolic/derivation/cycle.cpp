@@ -181,7 +181,7 @@ void cycle_matrix(Book& book) {
       equation(Lambda(),
                matrix(3, {less / d, 0, 2 * s / d, 4 * alpha / d2, less / d, -2 * less * s / d2,
                           -2 * less * s / d2, 2 * s / d, power(less, 2) / d2}),
-               all_rules));
+               {of_cycle}));
   const Expr ct = cos(theta()), st = sin(theta());
   book.show("Lambda_theta", "eq:Lambda-app", "In terms of theta,",
             equation(Lambda(),

@@ -23,8 +23,7 @@ Angle angle(Book& book) {
   // cos(2 atan t) = (1 - t^2)/(1 + t^2) = 1/(1 + alpha) = cos(psi/2)
   const Theorem cosine_of_t = rewrite(turned(half_h), at("cos atan", {{x, T}}));
   const Theorem sine_of_t = rewrite(turned(half_h), at("sin atan", {{x, T}}));
-  const Theorem cos_twice =
-      equation(cos(2 * q), 1 / (1 + alpha), {cosine_of_t, sine_of_t, t_squared, z}, {q});
+  const Theorem cos_twice = equation(cos(2 * q), 1 / (1 + alpha), {cosine_of_t, t_squared, z}, {q});
   const Theorem same = same_angle(chain(cos_twice, turned(book["rotation.cos_half_psi"])),
                                   {half_h, positive(atan(T))});
   const Theorem is_quarter = linear(eq(q, psi() / 4), {same});
@@ -48,8 +47,7 @@ void velocities(Book& book, const Angle& a) {
   const Names f{book, {alpha, n}, {alpha_positive, from_0}};
   const Theorem def_x = f.name("phase", 2 * of_alpha("half_h") * n, "With");
   const auto at_angle = [&](const std::string& name, Expr value) {
-    const Theorem t = f.name(name, value);
-    return rewrite(a.quarter, rewrite(def_x, t));
+    return rewrite(a.quarter, rewrite(def_x, f.name(name, value)));
   };
   const Theorems parts{
       at_angle("sine", sin(f("phase"))),           at_angle("cosine", cos(f("phase"))),

@@ -51,7 +51,7 @@ void collision_forms(Book& book, const Angle& a) {
   const Theorem is_near = assume(le(of_j("half_phase"), pi() - 2 * q));
   const Theorem near = linear(le(next, pi() - quarter), {is_near, phase_is, a.quarter});
   const Exprs bases{angle, quarter};
-  const auto times_c = [&](Expr l, Expr r) { return cancel(eq(l, r), {c}, parts, bases); };
+  const auto times_c = [&](Expr l, Expr r) { return equation(l, r, parts, bases); };
   const Theorem next_cosine = times_c(cos(next), cos(quarter) * cosine);
   const Theorem falls = cosine_falls(assume(le(pi() / 2, next)), {near});
   const Theorem below = otherwise(lt(next, pi() / 2), {falls, next_cosine, times(c, is_positive)});
@@ -78,8 +78,8 @@ void collision_forms(Book& book, const Angle& a) {
             linear(le(of_j("sine_ratio"), 1), {ratio, times(more, 1 / sine)}));
   // cos(psi/4)^2 (1 + t^2) = 1
   const Theorem square =
-      cancel(eq(power(cos(quarter), 2) * of_alpha("z"), 1 - power(cos(quarter), 2)), {c},
-             {turned(book["evaluators.t_squared"]), a.tangent}, {quarter});
+      equation(power(cos(quarter), 2) * of_alpha("z"), 1 - power(cos(quarter), 2),
+               {turned(book["evaluators.t_squared"]), a.tangent}, {quarter});
   const Theorem after = times_c(sine_of(j + 1), 2 * power(cos(quarter), 2) * sine * cosine);
   const Theorem before = times_c(sine_of(j), 2 * S * C);
   const Theorem step = times_c(sin(psi() / 2), 2 * power(cos(quarter), 2) * T);
@@ -87,8 +87,7 @@ void collision_forms(Book& book, const Angle& a) {
     const Theorem t =
         cut(takes_place, cut(linear(le(0, 1)), book["encounters." + std::string(id)]));
     const Theorem is = rewrite(above, rewrite(after, t));
-    book.show(id, words,
-              cancel(eq(left(is), form), {c, c}, {is, square, per_next, ratio, of_time, t_ratio}));
+    book.show(id, words, equation(left(is), form, {is, square, per_next, ratio, of_time, t_ratio}));
   };
   show("when", "In these terms", before, L / V * (of_j("time_ratio") * C * of_j("per_next")));
   show("apart", "and", step, L * (of_j("t_ratio") * of_j("per_next")));

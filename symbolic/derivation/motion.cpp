@@ -7,9 +7,7 @@ namespace {
 /// Where kappa is the cosine of an angle h: pi/h collisions, rounded up, less one.
 void number(Book& book) {
   const Known here;
-  const Theorem below = assume(lt(kappa(), 1));
-  const Exprs domain = of_wedge({lt(0, e), below.conclusion(), V_positive});
-  know(below);
+  const Exprs domain = of_wedge({lt(0, e), lt(kappa(), 1), V_positive});
   know(book["wedge.acute"]);
   const Theorem cosine = turned(book["wedge.cosine"]);
   const Expr h = right(cosine).arg(0), slope = kappa() / sin(h);

@@ -84,9 +84,9 @@ void powers(Book& book) {
   const Theorems common = quarter_rules(book);
   const Exprs halves{n * psi(), half()};
   const Expr middle = V_CM();
-  const Theorem a_n = book.show(
-      "a", "eq:a-final", "A after its n-th collision, as the paper has it:",
-      equation(a(n), middle * (1 + cos(n * psi()) / cos(half())), derived + common, halves));
+  const Theorem a_n =
+      book.show("a", "eq:a-final", "A after its n-th collision, as the paper has it:",
+                equation(a(n), middle * (1 + cos(n * psi()) / cos(half())), derived + common));
   const Theorem b_n =
       book.show("b", "eq:b-final", "B after its n-th collision:",
                 equation(b(n), middle * (1 - cos((n + rational(1, 2)) * psi()) / cos(half())),

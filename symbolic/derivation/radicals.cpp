@@ -112,9 +112,8 @@ Theorem fifteenth(const Theorem& cos_fifth, const Theorem& cos_third) {
   };
   const Theorem cosine = restate(eq(cos(twice), (s - 1) / 4), cos_fifth);
   const Theorem difference = equation(cos(x - y), cos(x) * cos(y) + sin(x) * sin(y), {}, {x, y});
-  const Expr value = (s - 1) / 8 + sqrt((5 + s) / 8) * sqrt(rational(3, 4));
   const Theorem is = at(difference, {{x, twice}, {y, third}});
-  return equation(cos(pi() / 15), value,
+  return equation(cos(pi() / 15), (s - 1) / 8 + sqrt((5 + s) / 8) * sqrt(rational(3, 4)),
                   {restate(eq(cos(pi() / 15), right(is)), is), cosine, cos_third,
                    sine(twice, (5 + s) / 8, cosine), sine(third, rational(3, 4), cos_third)});
 }

@@ -64,7 +64,6 @@ void recurrence(Book& book, const Theorems& motion) {
   Theorems step{definition, at(turns[1]), square};
   for (std::size_t i = 3; i < 6; ++i) step.push_back(at(motion[i]));
   const Expr after = j + 1, from_P = (1 + e) / (M_A + M_C), from_Q = (1 + e) / (1 + w_B * M_C);
-  for (Expr divisor : {M_A + M_C, 1 + w_B * M_C}) know(positive(divisor));
   Theorems changes;
   for (const auto& [body, share] :
        {std::pair{"A", -(is_P(j) * (M_C * from_P))}, std::pair{"B", is_Q(j) * (w_B * M_C * from_Q)},

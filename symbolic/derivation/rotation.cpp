@@ -27,8 +27,7 @@ void angle(Book& book, Expr lambda) {
   // 1 + 2 cos(psi) is the trace; tan^2(psi/2) = (1 - cos(psi))/(1 + cos(psi)).
   const auto trace = [](Expr m) { return entry(m, 0, 0) + entry(m, 1, 1) + entry(m, 2, 2); };
   const Expr cosine = simplified((trace(lambda) - 1) / 2);
-  const Expr tangent_squared = simplified((1 - cosine) / (1 + cosine));
-  const Expr t = sqrt(tangent_squared);
+  const Expr t = sqrt(simplified((1 - cosine) / (1 + cosine)));
   const Theorem definition =
       book.name("psi", {alpha}, 2 * atan(t), {alpha_positive},
                 "From the trace of Lambda, 1 + 2 cos(psi), its angle psi:", "def:psi def:psi-app");

@@ -14,8 +14,8 @@ Theorem atan_bounds(Expr t) { return at("atan bounds", {{x, t}}); }
 void theta_bounds(Book& book) {
   const Expr s = sqrt(alpha);
   const Theorem definition = book["ball.theta"];
-  know(book.show("theta_range", "The range of theta:",
-                 both({positive(definition), linear(lt(theta(), pi()), {definition})})));
+  book.show("theta_range", "The range of theta:",
+            both({positive(definition), linear(lt(theta(), pi()), {definition})}));
   const Theorems bounds{definition, atan_bounds(s)};
   book.show("theta_bounds", "theta is about 2 sqrt(alpha):",
             linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));
@@ -26,16 +26,15 @@ void psi_bounds(Book& book) {
   const Theorem mass = positive(alpha), q_positive = positive(q);
   const Theorem p_squared = root_squared(positive(2 * alpha));
   const Theorem q_squared = equation((2 + alpha) * power(q, 2), alpha);
-  const Theorems sum{positive(p + 2 * q)};
   const Theorem q_below = scaled(lt(2 * q, p), lt(4 * power(q, 2), power(p, 2)), 1 / (p + 2 * q),
-                                 {p_squared, q_squared, positive(alpha * power(q, 2))});
+                                 {positive(alpha * power(q, 2))});
   const cln::cl_RA half = rational(1, 2).value();
   // (p + 2q)(2q - p + alpha p/4) = alpha^2 q^2/2 + alpha q (p - 2q)/2
   const Theorem q_above =
       arithmetic(le(p - alpha * p / 4, 2 * q),
                  {.equations = {{1 - alpha / 4, p_squared}, {alpha / 2 - 2, q_squared}},
                   .products = {{half, {mass, mass}, {q}}, {half, {mass, q_positive, q_below}, {}}},
-                  .multipliers = sum});
+                  .multipliers = {positive(p + 2 * q)}});
   const Theorem q_squared_below =
       linear(le(0, alpha / 2 - power(q, 2)), {positive(alpha * power(q, 2))});
   const Theorems facts{book["table.quarter_psi"],          atan_bounds(q),      q_above, q_below,

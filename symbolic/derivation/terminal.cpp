@@ -15,7 +15,7 @@ void kept_quantities(Book& book) {
   const Expr V2 = power(V, 2);
   const Theorem momentum =
       book.show("momentum_Q", "After n cycles momentum is what it was (over M),",
-                equation(a(n) + b(n) + alpha * c_prime(n), V, velocities, {n * psi()}));
+                equation(a(n) + b(n) + alpha * c_prime(n), V, velocities));
   const Theorem energy =
       book.show("energy_Q", "and energy (over M/2);",
                 equation(power(a(n), 2) + power(b(n), 2) + alpha * power(c_prime(n), 2), V2,

@@ -29,11 +29,10 @@ struct Forms : Names {
     const Expr named = left(is);
     return book.show(named.name(), words, equation(named, form, Theorems{is} + rules + shared));
   }
-  /// What the forms share, a positive number where `is_positive`.
-  void share(const std::string& symbol, const std::string& words, Expr value, bool is_positive) {
+  /// What the forms share.
+  void share(const std::string& symbol, const std::string& words, Expr value) {
     shared.push_back(with({}, symbol, value, domain));
     book.show("def_" + symbol, words, under({lt(0, q_e())}, shared.back()));
-    if (is_positive) know(algebra::positive(shared.back()));
   }
 };
 
@@ -155,11 +154,11 @@ void three_body_forms(Book& book) {
   forms.shared.push_back(defined("step_sine", masses_and_e(), sin(h_e()), of_wedge({lt(0, e)})));
   book.show("def_step_sine", "With", under({lt(0, q_e())}, forms.shared[0]));
   know(positive(forms.shared[0]));
-  forms.share("now_side", "and", is_P(j) + is_Q(j) * ratio, true);
-  forms.share("later_side", "and", is_Q(j) + is_P(j) * ratio, false);
-  forms.share("last_sine", "and", sine(j), false);
-  forms.share("now_sine", "and", sine(j + 1), false);
-  forms.share("later_sine", "and", sine(j + 2), false);
+  forms.share("now_side", "and", is_P(j) + is_Q(j) * ratio);
+  forms.share("later_side", "and", is_Q(j) + is_P(j) * ratio);
+  forms.share("last_sine", "and", sine(j));
+  forms.share("now_sine", "and", sine(j + 1));
+  forms.share("later_sine", "and", sine(j + 2));
   const Theorems sines = quotients_of_sines(book, turned(cut(forms.below, book["wedge.cosine"])));
   for (const Theorem& is : sines) forms.shared = forms.shared + Theorems{is, at(is, {{j, j + 1}})};
   places(forms);

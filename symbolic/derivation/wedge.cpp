@@ -40,8 +40,7 @@ Theorems squared_shares(const Book& book) {
 void wedge(Book& book) {
   book.chapter("wedge", "The wedge", of_wedge({le(0, j), lt(0, e)}));
   const auto share = [&](const char* name, Expr of, Expr value, Expr domain, const char* words) {
-    const Theorem is = book.name(name, {of, M_C}, sqrt(value), {domain, lt(0, M_C)}, words);
-    know(positive(is));
+    know(positive(book.name(name, {of, M_C}, sqrt(value), {domain, lt(0, M_C)}, words)));
   };
   share("r_A", M_A, M_A / (M_A + M_C), lt(0, M_A), "With the roots of the shares of mass");
   share("r_B", w_B, 1 / (1 + w_B * M_C), le(0, w_B), "and, for a block or with 1 for a wall,");
@@ -53,8 +52,8 @@ void wedge(Book& book) {
       j, lt(0, root_power(j)), linear(lt(0, root_power(0)), {pow_is[0]}), [&](const Theorem& now) {
         return linear(lt(0, root_power(j + 1)), {at(pow_is[1]), times(now, sqrt(e))});
       });
-  know(book.show("signs", "These are positive, and so are two more factors of speeds:",
-                 both({positive(r_A()), positive(r_B()), sides, powers})));
+  book.show("signs", "These are positive, and so are two more factors of speeds:",
+            both({positive(r_A()), positive(r_B()), sides, powers}));
   know(positive(book.name("kappa", masses_and_e(), (1 + e) * r_A() * r_B() / (2 * sqrt(e)),
                           of_wedge({lt(0, e)}), "the shape of the motion is one number:")));
   angle_of_the_wedge(book);

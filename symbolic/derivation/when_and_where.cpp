@@ -69,7 +69,6 @@ void until_the_next(Book& book) {
         linear(eq(substitute(x_is, {{j, j + 1}}), x_is + v * (next_time - left(time))), {moved}));
     lines.push_back(solved_for(x_is, rewrite(place, line)));
   }
-  know(assume(goes_further));
   shown("next", "and until the next collision all move on with their velocities:",
         under({goes_further}, both(next)));
   const Theorem carried = shown(

@@ -104,8 +104,7 @@ private:
     std::string out = at_least(Power, factors[0]);
     for (std::size_t i = 1; i < factors.size(); ++i) {
       const bool under = is_inverse(factors[i]);
-      const Expr shown = under ? inverted(factors[i]) : factors[i];
-      out += (under ? "/" : "*") + at_least(Power, shown);
+      out += (under ? "/" : "*") + at_least(Power, under ? inverted(factors[i]) : factors[i]);
     }
     return out;
   }

@@ -28,8 +28,7 @@ public:
   /// 0 or a normal number.
   ThreeWords(double x) {
     if (x == 0.0) return;
-    const Word pattern = std::bit_cast<Word>(x);
-    word[2] = pattern << 11 | first_bit;
+    word[2] = std::bit_cast<Word>(x) << 11 | first_bit;
     top = exponent_of(x);
     is_negative = x < 0.0;
   }

@@ -139,8 +139,7 @@ private:
     return lossy(sum, x.off + y.off + loss, {0, loose});
   }
   Value times(const Value& x, const Value& y) const {
-    const bool is_point = x.exact && y.exact;
-    const Ball product = is_point ? Ball(cl_RA(x.x.low() * y.x.low())) : x.x * y.x;
+    const Ball product = x.exact && y.exact ? Ball(cl_RA(x.x.low() * y.x.low())) : x.x * y.x;
     if (size_of(product) == 0) return just(0);
     if (is_power_of_2(x)) return {product, x.size * y.off, y.loose, y.exact};
     if (is_power_of_2(y)) return times(y, x);
