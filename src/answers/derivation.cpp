@@ -19,8 +19,7 @@ using render::Step;
 /// Whether one holds wherever the other does: a definition may be shown under more hypotheses.
 bool is_same_case(const kernel::Exprs& one, const kernel::Exprs& other) {
   const auto is_within = [](const kernel::Exprs& some, const kernel::Exprs& all) {
-    return std::ranges::all_of(some,
-                               [&](kernel::Expr h) { return std::ranges::count(all, h) > 0; });
+    return std::ranges::all_of(some, [&](auto h) { return std::ranges::count(all, h) > 0; });
   };
   return is_within(one, other) || is_within(other, one);
 }

@@ -55,10 +55,7 @@ Expr written_out(Expr e) {
     for (const Definition& d : definitions) {
       if (e.name() != d.function) continue;
       const Expr equation = derivation::shown(d.id).conclusion();
-      kernel::Substitution arguments;
-      for (std::size_t i = 0; i < e.size(); ++i)
-        arguments.emplace(equation.arg(0).arg(i), e.arg(i));
-      return written_out(kernel::substitute(equation.arg(1), arguments));
+      return written_out(substitute(equation.arg(1), equation.arg(0).args(), e.args()));
     }
   kernel::Exprs args;
   for (Expr arg : e.args()) args.push_back(written_out(arg));

@@ -62,13 +62,6 @@ Expr gap(const Theorem& relation) {
   return c.arg(1) - c.arg(0);
 }
 
-Exprs entry_equations(Expr e) {
-  const Exprs l = entries(e.arg(0)), r = entries(e.arg(1));
-  Exprs out;
-  for (std::size_t i = 0; i < l.size(); ++i) out.push_back(eq(l[i], r[i]));
-  return out;
-}
-
 namespace {
 struct Given {
   Theorems rules, divisors;

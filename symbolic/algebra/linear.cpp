@@ -55,9 +55,8 @@ bool eliminate_unknown(std::vector<Row>& rows) {
       if (!m.empty()) ++(q > 0 ? signs[m].first : signs[m].second);
   if (signs.empty()) return false;
   const auto product = [](const auto& entry) { return entry.second.first * entry.second.second; };
-  const auto best = std::min_element(signs.begin(), signs.end(), [&](const auto& a, const auto& b) {
-    return product(a) < product(b);
-  });
+  const auto best = std::ranges::min_element(
+      signs, [&](const auto& a, const auto& b) { return product(a) < product(b); });
   const Monomial unknown = best->first;
   std::vector<Row> rest, above, below;
   for (const Row& row : rows) {

@@ -73,10 +73,9 @@ std::optional<Theorem> sign_of_product(Expr t, const Exprs& of, const Theorems& 
   return shown(t, strict, {{coefficient, factors}});
 }
 std::optional<Theorem> sign_of_power(Expr t, const Theorems& facts, bool strict) {
-  const auto exponent = static_cast<std::size_t>(t.exponent());
-  if (!strict && exponent % 2 == 0)
-    return shown(t, false, {{1, {}, Exprs(exponent / 2, t.arg(0))}});
-  return sign_of_product(t, Exprs(exponent, t.arg(0)), facts, strict);
+  const auto count = static_cast<std::size_t>(t.exponent());
+  if (!strict && count % 2 == 0) return shown(t, false, {{1, {}, Exprs(count / 2, t.arg(0))}});
+  return sign_of_product(t, Exprs(count, t.arg(0)), facts, strict);
 }
 std::optional<Theorem> by_shape(Expr t, const Theorems& facts, bool strict) {
   switch (t.op()) {

@@ -108,8 +108,6 @@ Theorem solved_for(Expr x, const Theorem& equation);
 Theorem chain(const Theorem& a, const Theorem& b);
 /// l = r gives r = l.
 Theorem turned(const Theorem& e);
-/// The equations of the entries of an equation of matrices, row by row.
-Exprs entry_equations(Expr matrix_equation);
 Theorems entries(const Theorem& matrix_equation);
 /// |- sqrt(x)^2 = x from 0 <= x or 0 < x.
 Theorem root_squared(const Theorem& not_negative);

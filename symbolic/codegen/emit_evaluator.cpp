@@ -78,8 +78,7 @@ private:
       }
       Words row;
       for (double x : constants) row.push_back(hex(is_wide ? x / t.u : x));
-      rows[is_wide ? 3 : std::size_t(t.tier - tiers().data())] =
-          "      {" + joined(row, ", ") + "}";
+      rows[is_wide ? 3 : std::size_t(t.tier - &tiers()[0])] = "      {" + joined(row, ", ") + "}";
     }
   }
   void describe(const Program& program, const NumberType& t, const Analysis& a) {

@@ -54,14 +54,12 @@ const std::map<Op, Spelling> spellings{
     {Op::step, {"$0 + (N::times_sign_of(N::all(0.5), leading(#1)) - 0.5)", ""}}};
 /// Faster ones, where ranges allow them.
 std::string pattern(const Program& p, const Node& n) {
-  const auto range = [&](std::size_t i) { return p[n.of[i]].range; };
-  if (n.op == Op::exact_sum && range(0).least() >= range(1).size())
-    return "N::fast_two_sum($0, $1)";
-  if (n.op == Op::exact_sum && range(1).least() >= range(0).size())
-    return "N::fast_two_sum($1, $0)";
+  const auto of = [&](std::size_t i) { return p[n.of[i]].range; };
+  if (n.op == Op::exact_sum && of(0).least() >= of(1).size()) return "N::fast_two_sum($0, $1)";
+  if (n.op == Op::exact_sum && of(1).least() >= of(0).size()) return "N::fast_two_sum($1, $0)";
   if (n.op == Op::scale && n.is_exact) return "$0 * %";
   if (n.op == Op::scale && n.factor == -1) return "-#0";
-  if (n.op == Op::cancelling_sum && is_near(range(0), range(1))) return "near_sum(#0, #1)";
+  if (n.op == Op::cancelling_sum && is_near(of(0), of(1))) return "near_sum(#0, #1)";
   if (n.op == Op::quotient && p[n.of[0]].is_exact) return "quotient($0, #1)";
   return spellings.at(n.op).pattern;
 }

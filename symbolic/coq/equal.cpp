@@ -126,12 +126,7 @@ std::string Script::prove_canonical(Expr e) {
 }
 
 bool is_matrix_equation(Expr f) { return f.op() == Op::Eq && f.arg(0).sort() == Sort::Matrix; }
-Expr by_entries(Expr equation) {
-  const Exprs l = kernel::entries(equation.arg(0)), r = kernel::entries(equation.arg(1));
-  Exprs out;
-  for (std::size_t k = 0; k < l.size(); ++k) out.push_back(kernel::eq(l[k], r[k]));
-  return kernel::logic_and(out);
-}
+Expr by_entries(Expr equation) { return kernel::logic_and(kernel::entry_equations(equation)); }
 std::string Script::same_entries(Expr f, const Names& bound) {
   return shared(
       "m'", f, bound,

@@ -14,9 +14,7 @@ void restrict_to(const Exprs& domain, const std::string& symbol, const Exprs& pa
                             domain.size() == 1 ? domain[0] : kernel::logic_and(domain));
 }
 bool is_part(Expr part, Expr of) {
-  const Exprs args = of.args();
-  return part == of ||
-         std::any_of(args.begin(), args.end(), [&](Expr a) { return is_part(part, a); });
+  return part == of || std::ranges::any_of(of.args(), [&](Expr a) { return is_part(part, a); });
 }
 }  // namespace
 void Book::chapter(const std::string& name, const std::string& title, const Exprs& assumptions) {
@@ -30,10 +28,8 @@ Theorem Book::show(const std::string& name, const std::string& label, const std:
   if (has(id)) kernel::refuse("two statements " + id);
   // The chapter's assumptions are read before all other hypotheses.
   Exprs read_first;
-  const Exprs hypotheses = theorem.hypotheses();
   for (const Expr& f : last.assumptions)
-    if (std::find(hypotheses.begin(), hypotheses.end(), f) != hypotheses.end())
-      read_first.push_back(f);
+    if (algebra::is_among(f, theorem.hypotheses())) read_first.push_back(f);
   const auto missing = [&](const Exprs& added) {
     return unproved_needs(algebra::under(read_first, algebra::under(added, theorem)));
   };
@@ -68,8 +64,8 @@ Theorem Book::operator[](const std::string& id) const {
 Theorem defined(const std::string& symbol, const Exprs& params, Expr value, const Exprs& domain) {
   const std::set<std::string> hidden{"alpha", "V", "M_A", "w_B", "M_C",
                                      "e",     "L", "W",   "d_A", "d_B"};
-  const auto printed = std::find_if(params.begin(), params.end(),
-                                    [&](Expr p) { return hidden.count(p.name()) == 0; });
+  const auto printed =
+      std::ranges::find_if(params, [&](Expr p) { return !hidden.contains(p.name()); });
   const Theorem definition = kernel::define(symbol, params, value, int(printed - params.begin()));
   restrict_to(domain, symbol, params);
   return definition;

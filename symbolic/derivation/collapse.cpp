@@ -25,14 +25,13 @@ void threshold(Book& book) {
 void special_cases(Book& book) {
   const Expr M_B = real("M_B");
   const Known mass({assume(lt(0, M_B)), positive(1 / M_B, {assume(lt(0, M_B))})});
-  const auto instance = [&](const char* id, const char* words, Expr inverse, Expr value) {
+  const auto special = [&](const char* id, const char* words, Expr inverse, Expr value) {
     const Theorem K = at(book["collapse.def_K"], {{w_B, inverse}});
     book.show(id, words, equation(left(K), value, {K}));
   };
   const Expr over = power(1 + e, 2) * M_A, below = 4 * e * (M_A + M_C);
-  instance("masses", "For a block of mass M_B that is", 1 / M_B,
-           over * M_B / (below * (M_B + M_C)));
-  instance("wall", "and for a wall", 0, over / below);
+  special("masses", "For a block of mass M_B that is", 1 / M_B, over * M_B / (below * (M_B + M_C)));
+  special("wall", "and for a wall", 0, over / below);
 }
 /// Where kappa is 1 or more, a number that quotients of neighbouring polynomials stay above.
 void neighbours(Book& book) {

@@ -91,10 +91,9 @@ void count(Book& book, const Count& c) {
   const Theorem reached = scaled(le(pi(), end), le(0, ceil(c.turns) - c.turns), c.step);
   const Theorem within = scaled(le(end, 2 * pi()), lt(0, c.turns + 1 - ceil(c.turns)), c.step);
   const Theorem K_from_0 = linear(le(0, K), {positive(c.turns)});
-  const Theorem sine_end =
-      at(at(book["counting.sine_past_pi"], {{x, end}}, {reached}), {}, {within});
+  const Theorem at_end = at(at(book["counting.sine_past_pi"], {{x, end}}, {reached}), {}, {within});
   const Theorem at_K =
-      tautology(substitute(none, {{j, K}}), {at(c.sign, {{j, K}}, {K_from_0}), sine_end});
+      tautology(substitute(none, {{j, K}}), {at(c.sign, {{j, K}}, {K_from_0}), at_end});
   const Theorem found = at(least, {{j, K}}, {K_from_0, at_K});
   know(part(found, 0));
   const auto before = [&](Expr i, const Theorem& below) {  // i < K

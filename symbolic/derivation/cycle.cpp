@@ -108,19 +108,18 @@ void cycle(Book& book) {
   const auto after_cycle = [&](const char* name, Expr velocity) {
     return defined(name, {alpha, V, n}, velocity, domain);
   };
-  const Theorem def_a = after_cycle("a", A(2 * n)), def_b = after_cycle("b", B(2 * n)),
-                def_c_prime = after_cycle("c'", C(2 * n));
+  const Theorems definitions{after_cycle("a", A(2 * n)), after_cycle("b", B(2 * n)),
+                             after_cycle("c'", C(2 * n))};
   const Theorems within =
       defined_by_recursion({"c"}, {alpha, V}, n, domain, {0},
                            [&](const Exprs&) { return Exprs{collide.ball(A(2 * n), C(2 * n))}; });
   book.show("names", "The paper's velocities: A's, B's and the ball's after n cycles,",
-            under({alpha_positive, le(0, n)}, both({def_a, def_b, def_c_prime})));
+            under(domain, both(definitions)));
   const Theorem def_c =
       equation(c(n), C(2 * n - 1),
                Theorems{at(at(within[1], {}, {assume(le(0, n))}), {{n, n - 1}})} + all_steps);
   book.show("c_start", "and the ball's within the n-th, 0 before the first:", within[0]);
   book.show("name_c", "so that", def_c);
-  const Theorems definitions{def_a, def_b, def_c_prime};
   Theorems names{turned(def_c)};
   for (const Theorem& t : definitions)
     names = names + Theorems{turned(t), turned(at(t, {{n, n - 1}}))};

@@ -13,9 +13,7 @@ namespace {
 bool holds(const Exprs& given, const std::function<std::optional<Theorem>()>& proof) {
   const auto t = proof();
   if (!t) return false;
-  const Exprs hypotheses = t->hypotheses();
-  return std::all_of(hypotheses.begin(), hypotheses.end(),
-                     [&](Expr h) { return is_among(h, given); });
+  return std::ranges::all_of(t->hypotheses(), [&](Expr h) { return is_among(h, given); });
 }
 
 bool proved(Expr condition, const Theorems& facts, const Exprs& given) {

@@ -59,8 +59,8 @@ void velocities(Book& book, const Angle& a) {
                    {parts[2], parts[3], times(a.t_small, assume(le(0, f("sine"))))}));
   const auto show = [&](const std::string& name, const std::string& id, Expr velocity, Expr form) {
     book.show(name, name == "a" ? "the velocities are" : "and",
-              a.equal(velocity, V * form, Theorems{book["power." + id]} + parts,
-                      {n * psi() / 2, psi() / 4}));
+              equation(velocity, V * form, Theorems{book["power." + id]} + parts + a.rules,
+                       {n * psi() / 2, psi() / 4}));
   };
   show("a", "a_product", derivation::a(n), f("plus") * f("minus"));
   show("b", "b_product", b(n), 2 * f("along") * f("t_sine"));

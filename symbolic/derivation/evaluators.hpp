@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the chapters of evaluated forms share: names for parts of a form, the angle, a prover.
+// What the chapters of evaluated forms share: names for parts of a form, the angle.
 #pragma once
 #include "derivation/symbols.hpp"
 
@@ -10,11 +10,6 @@ inline Expr of_alpha(const std::string& name) { return fun(name, {alpha}); }
 struct Angle {
   Theorem quarter, tangent, t_small;
   Theorems rules;
-
-  /// A velocity is a form in t, w and a sine and cosine.
-  Theorem equal(Expr l, Expr r, const Theorems& more, const Exprs& bases) const {
-    return equation(l, r, more + rules, bases);
-  }
 };
 
 /// The terminal velocities, from what is left of a quarter turn after N_A steps of psi/2.

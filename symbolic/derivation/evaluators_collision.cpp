@@ -62,18 +62,16 @@ void collision_forms(Book& book, const Angle& a) {
 
   const Theorem S_from_0 = linear(le(0, S), parts + Theorems{sine_not_negative(angle, {near})});
   const Theorem C_positive = linear(lt(0, C), parts + Theorems{is_positive, times(S_from_0, T)});
-  const Theorem sine_positive =
-      linear(lt(0, sine), parts + Theorems{S_from_0, times(C_positive, T)});
+  const Theorem sine_positive = linear(lt(0, sine), {parts.back(), S_from_0, times(C_positive, T)});
   book.show("sine_positive", "and so is", sine_positive);
   const Known divisors({sine_positive, is_positive, takes_place});
-  const Names before_the_end{
+  const Names in_time{
       book, {alpha, j}, {alpha_positive, le(0, j), lt(0, cosine), is_near.conclusion()}};
-  const Theorem per_next = before_the_end.name("per_next", 1 / cosine);
-  const Theorem ratio = before_the_end.name("sine_ratio", S / sine);
-  const Theorem t_ratio = before_the_end.name("t_ratio", T / sine);
-  const Theorem of_time =
-      before_the_end.name("time_ratio", (1 + of_alpha("z")) * of_j("sine_ratio"));
-  const Theorem more = linear(lt(0, sine - S), parts + Theorems{times(C_positive, T)});
+  const Theorem per_next = in_time.name("per_next", 1 / cosine);
+  const Theorem ratio = in_time.name("sine_ratio", S / sine);
+  const Theorem t_ratio = in_time.name("t_ratio", T / sine);
+  const Theorem of_time = in_time.name("time_ratio", (1 + of_alpha("z")) * of_j("sine_ratio"));
+  const Theorem more = linear(lt(0, sine - S), {parts.back(), times(C_positive, T)});
   book.show("ratio_at_most", "where",
             linear(le(of_j("sine_ratio"), 1), {ratio, times(more, 1 / sine)}));
   // cos(psi/4)^2 (1 + t^2) = 1
@@ -83,9 +81,8 @@ void collision_forms(Book& book, const Angle& a) {
   const Theorem after = times_c(sine_of(j + 1), 2 * power(cos(quarter), 2) * sine * cosine);
   const Theorem before = times_c(sine_of(j), 2 * S * C);
   const Theorem step = times_c(sin(psi() / 2), 2 * power(cos(quarter), 2) * T);
-  const auto show = [&](const char* id, const char* words, const Theorem& above, Expr form) {
-    const Theorem t =
-        cut(takes_place, cut(linear(le(0, 1)), book["encounters." + std::string(id)]));
+  const auto show = [&](const std::string& id, const char* words, const Theorem& above, Expr form) {
+    const Theorem t = cut(takes_place, cut(linear(le(0, 1)), book["encounters." + id]));
     const Theorem is = rewrite(above, rewrite(after, t));
     book.show(id, words, equation(left(is), form, {is, square, per_next, ratio, of_time, t_ratio}));
   };

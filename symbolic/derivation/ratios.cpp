@@ -143,9 +143,8 @@ struct Kind {
   std::string chapter, title, ratio, count_label, count_words, velocity_label, velocity_words;
   Expr d;  // psi/2 = pi/d
   Expr N_A_is, unrounded;
-  std::vector<Velocity> velocities;
 };
-void at_threshold(Book& book, const Kind& kind) {
+void at_threshold(Book& book, const Kind& kind, const std::vector<Velocity>& velocities) {
   const Theorem is = assume(eq(alpha, fun(kind.ratio, {k})));
   book.chapter(kind.chapter, kind.title, {alpha_positive, V_positive, le(1, k), is.conclusion()});
   const Theorems range = range_of(kind.d);
@@ -161,7 +160,7 @@ void at_threshold(Book& book, const Kind& kind) {
   book.show("counts", kind.count_label, kind.count_words,
             both({N_A_is, N_B_is, linear(eq(k, kind.unrounded), {quotient})}));
   Theorems values, terminal;
-  for (const Velocity& v : kind.velocities) {
+  for (const Velocity& v : velocities) {
     const Theorem left_over = linear(eq(v.angle, pi() - v.rest), {turn});
     const Theorem velocity = rewrite(left_over, at(book["power." + v.id], {{n, v.index}}));
     values.push_back(equation(v.left, v.right,
@@ -190,33 +189,21 @@ void thresholds(Book& book) {
 
 void ratios(Book& book) {
   const Expr to_half = (k + rational(1, 2)) * psi();
-  at_threshold(
-      book, {"magic",
-             "Magic mass ratios",
-             "alpha_",
-             "eq:Naatcritical",
-             "Each block has had k collisions,",
-             "",
-             "after which A and C are at rest and B has what A had:",
-             2 * k + 1,
-             k,
-             pi() / psi() - rational(1, 2),
-             {{a(k), 0, "a", k, k * psi(), half(), half()},
-              {b(k), V, "b", k, to_half, 0, half()},
-              {c_prime(k), 0, "c_prime", k, (k + rational(1, 4)) * psi(), quarter(), quarter()}}});
-  at_threshold(book, {"deficient",
-                      "Deficient mass ratios",
-                      "beta_",
-                      "eq:Nbatcritical",
-                      "A has had one collision more than B,",
-                      "eq:defb-terminal",
-                      "after which B and C go on together:",
-                      2 * k + 2,
-                      k + 1,
-                      pi() / psi() - 1,
-                      {{a(k + 1), -alpha * V / (2 + alpha), "a", k + 1, (k + 1) * psi(), 0, half()},
-                       {b(k), 2 * V / (2 + alpha), "b", k, to_half, half(), half()},
-                       {c(k + 1), 2 * V / (2 + alpha), "c", k + 1, (k + 1 - rational(1, 4)) * psi(),
-                        quarter(), quarter()}}});
+  at_threshold(book,
+               {"magic", "Magic mass ratios", "alpha_", "eq:Naatcritical",
+                "Each block has had k collisions,", "",
+                "after which A and C are at rest and B has what A had:", 2 * k + 1, k,
+                pi() / psi() - rational(1, 2)},
+               {{a(k), 0, "a", k, k * psi(), half(), half()},
+                {b(k), V, "b", k, to_half, 0, half()},
+                {c_prime(k), 0, "c_prime", k, (k + rational(1, 4)) * psi(), quarter(), quarter()}});
+  at_threshold(book,
+               {"deficient", "Deficient mass ratios", "beta_", "eq:Nbatcritical",
+                "A has had one collision more than B,", "eq:defb-terminal",
+                "after which B and C go on together:", 2 * k + 2, k + 1, pi() / psi() - 1},
+               {{a(k + 1), -alpha * V / (2 + alpha), "a", k + 1, (k + 1) * psi(), 0, half()},
+                {b(k), 2 * V / (2 + alpha), "b", k, to_half, half(), half()},
+                {c(k + 1), 2 * V / (2 + alpha), "c", k + 1, (k + 1 - rational(1, 4)) * psi(),
+                 quarter(), quarter()}});
 }
 }  // namespace derivation

@@ -63,26 +63,26 @@ void recurrence(Book& book, const Theorems& motion) {
                 "", "closing");
   Theorems step{definition, at(turns[1]), square};
   for (std::size_t i = 3; i < 6; ++i) step.push_back(at(motion[i]));
-  const Expr after = j + 1, from_P = (1 + e) / (M_A + M_C), from_Q = (1 + e) / (1 + w_B * M_C);
+  const Expr next = j + 1, from_P = (1 + e) / (M_A + M_C), from_Q = (1 + e) / (1 + w_B * M_C);
   Theorems changes;
   for (const auto& [body, share] :
        {std::pair{"A", -(is_P(j) * (M_C * from_P))}, std::pair{"B", is_Q(j) * (w_B * M_C * from_Q)},
         std::pair{"C", is_P(j) * (M_A * from_P) - is_Q(j) * from_Q}})
     changes.push_back(
-        equation(any_velocity(body, after), any_velocity(body, j) + share * nearing(j), step));
+        equation(any_velocity(body, next), any_velocity(body, j) + share * nearing(j), step));
   book.show("changes", "which changes velocities by shares of it:", both(changes));
-  const Theorem closes = at(definition, {{j, after}});
+  const Theorem closes = at(definition, {{j, next}});
   const auto other = [&](Expr i) {  // of the two that collide next
     return is_Q(i) * (any_velocity("A", i) - any_velocity("C", i)) +
            is_P(i) * (any_velocity("C", i) - any_velocity("B", i));
   };
   const Theorem parting = book.show("parting", "They part e times as fast as they approached:",
-                                    equation(other(after), -e * nearing(j), step));
+                                    equation(other(next), -e * nearing(j), step));
   const auto share = [](Expr i) {
     return is_P(i) * (M_A / (M_A + M_C)) + is_Q(i) * (1 / (1 + w_B * M_C));
   };
   const Theorem gain =
-      equation(nearing(after), other(j) + (1 + e) * share(j) * nearing(j), step + Theorems{closes});
+      equation(nearing(next), other(j) + (1 + e) * share(j) * nearing(j), step + Theorems{closes});
   const Theorems start{motion[0], motion[1], motion[2], turns[0], at(definition, {{j, 0}})};
   const Theorem second = equation(nearing(Expr(0) + 1), W + (1 + e) * (M_A / (M_A + M_C)) * V,
                                   Theorems{at(gain, {{j, 0}})} + start);
@@ -95,26 +95,25 @@ void recurrence(Book& book, const Theorems& motion) {
       book.show("momentum", "Momentum is kept, if there is no wall:",
                 by_induction(j, eq(carried(j), any_momentum()),
                              equation(carried(0), any_momentum(), start), [&](const Theorem& now) {
-                               return chain(equation(carried(after), carried(j), changes), now);
+                               return chain(equation(carried(next), carried(j), changes), now);
                              }));
   // The two speeds after collision j, by the one before it and the one before the next.
   const Theorem parts_with = solved_for(e * nearing(j), parting);
-  const Expr A = any_velocity("A", after), B = any_velocity("B", after),
-             C = any_velocity("C", after);
-  const Expr of_A = nearing(after) - e * nearing(j), all = mass_of_all();
-  const Expr of_B = is_Q(after) * nearing(after) - is_P(after) * (e * nearing(j));
+  const Expr A = any_velocity("A", next), B = any_velocity("B", next), C = any_velocity("C", next);
+  const Expr of_A = nearing(next) - e * nearing(j), all = mass_of_all();
+  const Expr of_B = is_Q(next) * nearing(next) - is_P(next) * (e * nearing(j));
   const Theorem A_B = book.show("A_B", "After collision j the velocities of A and B differ by",
                                 linear(eq(A - B, of_A), {closes, parting}));
   const Theorem C_B =
       book.show("C_B", "those of C and B by",
-                equation(C - B, of_B, {closes, parts_with, at(square, {{j, after}})}));
+                equation(C - B, of_B, {closes, parts_with, at(square, {{j, next}})}));
   const Expr given_off = any_momentum() - w_B * (M_A * of_A + M_C * of_B);
-  const Theorem of_one = rewrite(solved_for(A, A_B), at(momentum, {{j, after}}));
+  const Theorem of_one = rewrite(solved_for(A, A_B), at(momentum, {{j, next}}));
   const Theorem whole = linear(eq(B * all, given_off), {rewrite(solved_for(C, C_B), of_one)});
   book.show("B_velocity", "and B has", divided(B, given_off / all, {all}, whole));
   book.show("recurrence", "and each one follows from two before:",
-            linear(eq(nearing(j + 2), (1 + e) * share(after) * nearing(after) - e * nearing(j)),
-                   {at(gain, {{j, after}}), parting}));
+            linear(eq(nearing(j + 2), (1 + e) * share(next) * nearing(next) - e * nearing(j)),
+                   {at(gain, {{j, next}}), parting}));
 }
 }  // namespace
 

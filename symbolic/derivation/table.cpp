@@ -32,11 +32,10 @@ void table(Book& book) {
             chain(sine_half, turned(root_is(alpha / (1 + alpha), s / sqrt(1 + alpha)))));
   const Theorem of_quarter = quarter(book);
 
-  const Theorem definition =
-      book.name("tan", {x}, sin(x) / cos(x), {neq(cos(x), 0)}, "The tangent:");
+  const Theorem is = book.name("tan", {x}, sin(x) / cos(x), {neq(cos(x), 0)}, "The tangent:");
   const auto show = [&](const std::string& name, Expr angle, Expr value, const Theorems& facts) {
     book.show("tan_" + name, "table:trig", name == "half_theta" ? "Their tangents:" : "and",
-              equation(tan(angle), value, Theorems{at(definition, {{x, angle}})} + facts));
+              equation(tan(angle), value, Theorems{at(is, {{x, angle}})} + facts));
   };
   const Theorem cos_half = book["ball.cos_half_theta"];
   know(positive(cos_half));

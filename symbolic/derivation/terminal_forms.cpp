@@ -66,8 +66,8 @@ void terminal_forms(Book& book, const Angle& a) {
       const auto value = [&](std::size_t i, const std::string& id, Expr index, Expr goal) {
         const Theorem is = part(end, i);
         const Theorem form = at(book["power." + id], {{n, index}});
-        return a.equal(left(is), V * goal, Theorems{is, form} + of_name + Theorems{sine, cosine},
-                       {angle, psi() / 4});
+        return equation(left(is), V * goal, Theorems{is, form, sine, cosine} + of_name + a.rules,
+                        {angle, psi() / 4});
       };
       return both({value(2, "a_product", N_A(), -f("t_minus") * f("t_plus")),
                    value(3, "b_product", Q_last ? N_A() : N_A() - 1, f("b_form")),

@@ -24,8 +24,7 @@ struct Forms : Names {
     return defined(symbol, masses_and_e() + more + Exprs{j}, value, where);
   }
   /// Shows that what is so named has a form.
-  Theorem show(const Theorem& is, const std::string& words, Expr form,
-               const Theorems& rules) const {
+  Theorem show(const Theorem& is, const char* words, Expr form, const Theorems& rules) const {
     const Expr named = left(is);
     return book.show(named.name(), words, equation(named, form, Theorems{is} + rules + shared));
   }

@@ -12,15 +12,14 @@ void until_the_next(Book& book) {
   const Theorem going = assume(lt(0, closing(j)));
   know(going);
   const Exprs params{M_A, w_B, M_C, e, V, L, j};
-  const Exprs assumptions =
-      of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L), going.conclusion()});
+  const Exprs domain = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L), going.conclusion()});
   know(rewrite(part(book["motion.names"], 3), going));
   const auto from = [&](const std::string& id) {
     return from_rest(book, book["any_start." + id], distances);
   };
   const Theorem when = from("instant");
   const Theorem time =
-      book.define("time", params, left(when), assumptions, "Collision j takes place at the time");
+      book.define("time", params, left(when), domain, "Collision j takes place at the time");
   const auto shown = [&](const char* id, const char* words, const Theorem& t) {
     return book.show(id, words, under({going.conclusion()}, t));
   };
@@ -28,7 +27,7 @@ void until_the_next(Book& book) {
   for (const std::string body : {"A", "B", "C"}) {
     const Expr on_line = fun("place_" + body, at_rest() + Exprs{0, 0, L, left(time), j});
     const Theorem place =
-        book.define("x_" + body, params, L + on_line, assumptions, "with " + body + " at");
+        book.define("x_" + body, params, L + on_line, domain, "with " + body + " at");
     places.push_back(place);
     named.push_back(solved_for(on_line, place));
   }

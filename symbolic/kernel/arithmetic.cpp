@@ -44,8 +44,7 @@ Polynomial value_of(const Certificate::Product& p) {
 }
 bool is_positive(const Certificate::Product& p) {
   return p.coefficient > 0 && p.roots.empty() &&
-         std::all_of(p.factors.begin(), p.factors.end(),
-                     [](const Theorem& t) { return is(t, Op::Lt); });
+         std::ranges::all_of(p.factors, [](const Theorem& t) { return is(t, Op::Lt); });
 }
 Polynomial sum_of_products(Expr goal, const Certificate& c) {
   if (goal.op() == Op::Eq && !c.products.empty()) refuse("an equation follows from equations only");

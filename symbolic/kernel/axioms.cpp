@@ -50,8 +50,7 @@ const Axioms& table() {
 
 // AXIOM. True for all real numbers, by real analysis.
 Theorem axiom(const std::string& name) {
-  const auto it = std::find_if(table().begin(), table().end(),
-                               [&name](const auto& a) { return a.first == name; });
+  const auto it = std::ranges::find_if(table(), [&name](const auto& a) { return a.first == name; });
   if (it == table().end()) refuse("no axiom " + name);
   return Theorem({}, it->second, {"axiom " + name});
 }

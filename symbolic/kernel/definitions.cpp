@@ -140,11 +140,6 @@ std::map<std::string, Domain>& domains() {
   };
   return table;
 }
-Expr at_arguments(Expr formula, const Exprs& params, const Exprs& args) {
-  Substitution s;
-  for (std::size_t i = 0; i < params.size(); ++i) s.emplace(params[i], args[i]);
-  return substitute(formula, s);
-}
 
 class Collector {
 public:
@@ -169,10 +164,10 @@ private:
   }
   void of_function(Expr e, const Exprs& guards) {
     const Signature& s = *signature(e.name());
-    if (s.body) collect(at_arguments(s.body, s.variables, e.args()), guards);
+    if (s.body) collect(substitute(s.body, s.variables, e.args()), guards);
     const auto it = domains().find(e.name());
     if (it == domains().end()) return;
-    need(at_arguments(it->second.condition, it->second.params, e.args()), guards);
+    need(substitute(it->second.condition, it->second.params, e.args()), guards);
   }
   void need(Expr condition, const Exprs& guards) {
     if (!guards.empty()) condition = imp(logic_and(guards), condition);

@@ -143,8 +143,7 @@ Node matrix_node(const Parts& p) {
 // Sort and shape, for every operation.
 Node checked(const Parts& p) {
   check_arguments(p);
-  const bool real =
-      std::any_of(p.args.begin(), p.args.end(), [](Expr a) { return a.sort() == Sort::Real; });
+  const bool real = std::ranges::any_of(p.args, [](Expr a) { return a.sort() == Sort::Real; });
   switch (p.op) {
     case Op::Num:
       return Node{p, cln::denominator(p.value) == 1 ? Sort::Int : Sort::Real};

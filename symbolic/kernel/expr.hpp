@@ -144,6 +144,8 @@ Expr pi();
 
 /// Free variables by terms of their sort. Nothing is captured: bound variables are indices.
 Expr substitute(Expr e, const Substitution& s);
+/// The same for these variables, in their order.
+Expr substitute(Expr e, const Exprs& variables, const Exprs& terms);
 /// Every occurrence of a closed term or matrix by another.
 Expr replace(Expr e, Expr from, Expr to);
 /// The body of a closed All with the term for its variable.
@@ -159,6 +161,8 @@ Expr power(Expr a, Expr n);
 Expr det(Expr a);
 Expr entry(Expr a, int i, int j);
 Exprs entries(Expr a);  ///< row by row
+/// The equations of the entries of an equation of matrices, row by row.
+Exprs entry_equations(Expr matrix_equation);
 
 /// Whether it is that function of something.
 bool is_call(Expr e, std::string_view function);

@@ -96,4 +96,10 @@ Exprs entries(Expr a) {
   for (int k = 0; k < a.rows() * a.cols(); ++k) out.push_back(entry(a, k / a.cols(), k % a.cols()));
   return out;
 }
+Exprs entry_equations(Expr e) {
+  const Exprs l = entries(e.arg(0)), r = entries(e.arg(1));
+  Exprs out;
+  for (std::size_t k = 0; k < l.size(); ++k) out.push_back(eq(l[k], r[k]));
+  return out;
+}
 }  // namespace kernel

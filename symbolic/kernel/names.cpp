@@ -59,9 +59,7 @@ std::string why_no_index(const std::string& name, const Signature& s) {
 }
 }  // namespace
 
-bool Signature::indexed() const {
-  return std::find(args.begin(), args.end(), Sort::Int) != args.end();
-}
+bool Signature::indexed() const { return std::ranges::count(args, Sort::Int) > 0; }
 std::string stem(const std::string& name) { return name.ends_with('_') ? name : name + "_"; }
 
 const Signature* signature(const std::string& name) {

@@ -60,16 +60,11 @@ Expr canonical_matrix(Expr a) {
   if (a.op() == Op::MatrixPower) return power(canonical_matrix(a.arg(0)), canonical(a.arg(1)));
   return matrix(a.cols(), all_canonical(entries(a)));
 }
-Expr entry_equations(const Exprs& l, const Exprs& r) {
-  Exprs out;
-  for (std::size_t k = 0; k < l.size(); ++k) out.push_back(canonical(eq(l[k], r[k])));
-  return logic_and(out);
-}
 Expr computed_canonical(Expr e) {
   if (e.sort() == Sort::Matrix) return canonical_matrix(e);
   if (e.sort() != Sort::Bool) return expression(polynomial(e));
   if (e.op() == Op::Eq && e.arg(0).sort() == Sort::Matrix)
-    return entry_equations(entries(e.arg(0)), entries(e.arg(1)));
+    return logic_and(all_canonical(entry_equations(e)));
   return with_args(e, all_canonical(e.args()));
 }
 // Expanded by the first row that is left.

@@ -61,6 +61,12 @@ Expr substitute(Expr e, const Substitution& s) {
     return it == s.end() ? Expr() : it->second;
   });
 }
+Expr substitute(Expr e, const Exprs& variables, const Exprs& terms) {
+  if (variables.size() != terms.size()) refuse("not a term for each variable");
+  Substitution s;
+  for (std::size_t i = 0; i < variables.size(); ++i) s.emplace(variables[i], terms.at(i));
+  return substitute(e, s);
+}
 Expr replace(Expr e, Expr from, Expr to) {
   if (from.loose() || to.loose()) refuse("a term with a loose index");
   if (from.sort() == Sort::Int && to.sort() != Sort::Int)

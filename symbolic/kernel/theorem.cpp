@@ -35,10 +35,8 @@ void check_not_in_hypotheses(Expr v, const Theorem& t) {
 
 std::string text(const Theorem& t) {
   std::string out;
-  for (Expr h : t.hypotheses()) {
-    const std::string words = h.op() == Op::All ? "(" + text(h) + ")" : text(h);
-    out += (out.empty() ? "" : ", ") + words;
-  }
+  for (Expr h : t.hypotheses())
+    out += (out.empty() ? "" : ", ") + (h.op() == Op::All ? "(" + text(h) + ")" : text(h));
   return out + (out.empty() ? "|- " : " |- ") + text(t.conclusion());
 }
 }  // namespace kernel

@@ -167,9 +167,8 @@ private:
     Words r{};
     TwoWords carry = flip & 1;
     for (std::size_t k = 0; k < 4; ++k) {
-      const Word of_small = shifted[k + words] >> shift | shifted[k + words + 1] << 1
-                                                                                 << (63 - shift);
-      carry += TwoWords(k == 0 ? 0 : large.word[k - 1]) + (of_small ^ flip);
+      const Word lower = shifted[k + words] >> shift | shifted[k + words + 1] << 1 << (63 - shift);
+      carry += TwoWords(k == 0 ? 0 : large.word[k - 1]) + (lower ^ flip);
       r[k + 3] = Word(carry);
       carry >>= 64;
     }

@@ -195,8 +195,7 @@ private:
       return lossy(atan(x.x), x.off / (1 + z.size), loss);
     }
     const bool is_small = x.size <= 0.52359905;
-    const NumberType::SineCosine f =
-        is_small ? t.small_sine_cosine(x.loose) : t.sine_cosine(x.loose);
+    const auto f = is_small ? t.small_sine_cosine(x.loose) : t.sine_cosine(x.loose);
     const Ball sine = x.size == 0 ? 0 : sin(x.x), cosine = cos(x.x);
     const double angle = x.off + f.angle * x.size;
     if (e.name() == "sin") return lossy(sine, size_of(cosine) * angle, f.sine);

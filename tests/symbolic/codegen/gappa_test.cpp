@@ -122,7 +122,8 @@ Pair polynomial(const codegen::Polynomial& p, double size, double low) {
   double of_low = 0;
   for (int k = m + 1; k < n; ++k) of_low += (k - m + 1) * c(k) * std::pow(size, k - m);
   const Plain tail = plain_polynomial(p.high.data() + m, n - m, size);
-  const auto step = [](const std::string& steps, const std::string& expanded, const Bounds& where) {
+  const auto step = [&](const std::string& steps, const std::string& expanded, Bounds where) {
+    where.insert(where.end(), {{"x", size}, {"y", low}});
     return Pair{largest("S", steps, expanded, where), largest("L", steps, expanded, where),
                 largest("e", steps, expanded, where)};
   };
@@ -130,9 +131,7 @@ Pair polynomial(const codegen::Polynomial& p, double size, double low) {
       "t = x * (A + a) * (1 + d4); h = c + t; r = -h * d1; S = h + h * d1; v = (r + f) * (1 + d2);"
       "L = (v + y * b) * (1 + d3); e = S + L - (c + f + x * A + y * b + w);",
       "x * a + d4 * x * (A + a) - w + d2 * (r + f) + d3 * (v + y * b)",
-      {{"x", size},
-       {"y", low},
-       {"A", tail.size},
+      {{"A", tail.size},
        {"a", tail.off},
        {"c", c(m - 1)},
        {"f", u * c(m - 1)},
@@ -144,13 +143,7 @@ Pair polynomial(const codegen::Polynomial& p, double size, double low) {
         "t = (v + i) * (1 + d4); L = (x * l + t) * (1 + d5);"
         "e = S + L - (c + f + (x + y) * (s + l - g));",
         "r * d2 + d3 * (y * s + f) + d4 * (v + i) + d5 * (x * l + t) - y * l + (x + y) * g",
-        {{"x", size},
-         {"y", low},
-         {"c", c(k)},
-         {"f", u * c(k)},
-         {"s", sum.s},
-         {"l", sum.l},
-         {"g", sum.g}});
+        {{"c", c(k)}, {"f", u * c(k)}, {"s", sum.s}, {"l", sum.l}, {"g", sum.g}});
   return sum;
 }
 }  // namespace

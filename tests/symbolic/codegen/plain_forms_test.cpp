@@ -86,8 +86,7 @@ TEST_CASE("plain terminal velocities and counts are those of the collisions") {
   CHECK_THROWS_AS(terminal_exact<cl_RA>(1, 0, 1), std::domain_error);
   CHECK_THROWS_WITH(velocities_exact<cl_RA>(1, -1), ContainsSubstring("n from 0 to 0; or alpha"));
 }
-TEMPLATE_TEST_CASE("plain velocities hold at the ends of what they state", "", double,
-                   long double) {
+TEMPLATE_TEST_CASE("plain velocities hold at the ends that they state", "", double, long double) {
   const TestType least = TestType(0x1p-300), most = TestType(0x1p300);
   for (std::int64_t n : {0, 1, 2, 7}) {
     for (const TestType alpha : {least, TestType(0.125), TestType(1), TestType(0x1p20)}) {

@@ -28,9 +28,7 @@ Expr defined(Expr e) {
     for (const auto& s : chapter.statements)
       if (s.id == chapter.name + ".def_" + e.name()) {
         const Expr definition = s.theorem.conclusion();
-        kernel::Substitution terms;
-        for (std::size_t i = 0; i < e.size(); ++i) terms[definition.arg(0).arg(i)] = e.arg(i);
-        return substitute(definition.arg(1), terms);
+        return substitute(definition.arg(1), definition.arg(0).args(), e.args());
       }
   return {};
 }

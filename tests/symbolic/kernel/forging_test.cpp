@@ -89,8 +89,7 @@ TEST_CASE("no room that sees the kernel holds a forging word") {
   const auto all = seeing(folders);
   CHECK(all.size() > 100);
   const auto sees = [&](const std::string& end) {
-    return std::any_of(all.begin(), all.end(),
-                       [&](const auto& file) { return file.first.ends_with(end); });
+    return std::ranges::any_of(all, [&](const auto& file) { return file.first.ends_with(end); });
   };
   CHECK(sees("src/command/coq.cpp"));  // through other rooms
   CHECK_FALSE(sees("numbers/ziv.cpp"));

@@ -111,9 +111,8 @@ TEST_CASE("definitions depend on their parameters alone") {
 }
 
 TEST_CASE("induction needs base and step for every n") {
-  const auto inducing = [](Expr index, Expr start, Expr f, const Theorem& base,
-                           const Theorem& step) {
-    return [=] { induction(index, start, f, base, step); };
+  const auto inducing = [](Expr index, Expr lo, Expr f, const Theorem& base, const Theorem& step) {
+    return [=] { induction(index, lo, f, base, step); };
   };
   const auto no_more = [](Expr e) { return arithmetic(le(e, e), {}); };
   const Theorems five = define_recursive({"five"}, {}, n, {x}, {5}, {x + 1});
@@ -193,8 +192,7 @@ TEST_CASE("quantifiers, rewriting, restating") {
   refused("specialize what is not for all", "not a statement for all", [] { specialize(zero, 1); });
   refused("rewriting by an inequality", "not an equation", [] { rewrite(positive, zero); });
   refused("another statement", "not the same", [] { restate(eq(1, 1), zero); });
-  refused("iff as implies", "not the same",
-          [] { restate(imp(less, more), assume(iff(less, more))); });
+  refused("iff as imp", "not the same", [] { restate(imp(less, more), assume(iff(less, more))); });
   refused("<= as <", "not the same", [] { restate(less, assume(le(x, y))); });
   refused("and as or", "not the same", [] {
     restate(logic_or({less, more}), assume(logic_and({less, more})));

@@ -111,6 +111,7 @@ TEST_CASE("sorts are checked wherever a tree is made") {
   refused("a formula put in", "a number is needed", [] { instantiate(zero, {{x, eq(1, 1)}}); });
   refused("a formula for every n", "a number is needed", [&] { specialize(every, eq(1, 1)); });
   refused("a term put in for a term", "is not a variable", [] { instantiate(zero, {{x + y, 1}}); });
+  refused("one put in for two", "a term for each", [] { substitute(x, Exprs{x, y}, Exprs{1}); });
   refused("pi put in", "is not a variable", [] { instantiate(zero, {{pi(), 3}}); });
   refused("for every pi", "only a variable can be bound", [] { generalize(pi(), zero); });
   refused("1/0", "division by 0", [] { Expr(1) / 0; });

@@ -118,8 +118,7 @@ std::string reading(const std::string& typed) {
   const Typed read = read_typed(typed);
   if (read.term.sort() != kernel::Sort::Matrix) return typed_text(read.term);
   std::string out;
-  for (kernel::Expr e : kernel::entries(read.term))
-    out += (out.empty() ? "" : "; ") + typed_text(e);
+  for (Expr e : entries(read.term)) out += (out.empty() ? "" : "; ") + typed_text(e);
   return out;
 }
 std::string refused(const std::string& typed) {
@@ -202,8 +201,7 @@ TEST_CASE("Plain text, Unicode and LaTeX are read alike, and a chosen reading is
     CHECK(reading(row[0]) == row[1]);
     if (row[1].find(';') == std::string::npos) CHECK(reading(row[1]) == row[1]);
     std::string said;
-    for (const std::string& note : read_typed(row[0]).notes)
-      said += (said.empty() ? "" : "; ") + note;
+    for (const auto& note : read_typed(row[0]).notes) said += (said.empty() ? "" : "; ") + note;
     CHECK(said == row[2]);
   }
   CHECK(reading("\xef\xbb\xbfx") == "x");

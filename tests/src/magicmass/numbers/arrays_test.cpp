@@ -94,8 +94,7 @@ TEST_CASE("all instruction sets give the same bits, and leave the same rows open
 TEST_CASE("compilers and processors give the same bits") {
   CHECK(fingerprint() == pinned_fingerprint);
 }
-TEST_CASE(
-    "columns that are not wanted are left out, others have as many rows and their own place") {
+TEST_CASE("columns not wanted are left out, others have as many rows and their own place") {
   const std::vector<double> alpha(40, 0.01);
   const std::vector<std::int64_t> n(40, 3);
   std::vector<double> out(40);
