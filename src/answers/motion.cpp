@@ -97,7 +97,7 @@ Balls terminal(const Trio& trio, std::int64_t N) {
 }
 
 Cell rho(const Alpha& alpha, const cl_RA& e) {
-  const Trio trio = Trio::equal_blocks(value_of(alpha), e);
+  const Trio trio = Trio::equal_blocks(value_of(alpha), value_of(e));
   const auto N = trio.count();
   return N ? rounded([&] { return Balls{terminal(trio, *N)[3]}; })[0] : missing_cell();
 }

@@ -145,14 +145,10 @@ Alpha restitution_of(const Request& request) {
 
 /// Fractions by the law of one collision.
 std::vector<cln::cl_RA> stepped(const cln::cl_RA& mass, const cln::cl_RA& e, std::int64_t N) {
-  using Body = magicmass::simulator::Body<cln::cl_RA>;
-  std::array<Body, 3> bodies{Body{1, 0, 1}, {mass, 0, 0}, {1, 0, 0}};
-  for (std::int64_t j = 0; j < N; ++j) {
-    const std::size_t left = j % 2 == 0 ? 0 : 1;
-    magicmass::simulator::collide(bodies[left], bodies[left + 1], e);
-  }
-  const auto& [A, C, B] = bodies;
-  return {A.velocity, B.velocity, C.velocity, B.velocity * B.velocity};
+  magicmass::simulator::InTurn<cln::cl_RA> now(1, mass, 1, e);
+  while (now.collisions < N) now.step();
+  const auto& [a, c, b] = now.velocities;
+  return {a, b, c, b * b};
 }
 
 /// Counts and velocities at the end; where collisions never end, also when that is.
@@ -178,7 +174,7 @@ Row end_of(const Asked& in, const Alpha& restitution) {
     const auto balls = [&] { return answers::terminal(in.alpha, counts); };
     return concatenated({count_cells(counts), in.cells(counts.N_A, "cycles", exactly, balls)});
   }
-  const Trio trio = Trio::equal_blocks(value_of(in.alpha), e);
+  const Trio trio = Trio::equal_blocks(value_of(in.alpha), value_of(e));
   if (const auto N = trio.count()) {
     constexpr int longest = 1 << 18;  // each step reduces its fractions
     const auto exactly = [&](const cln::cl_RA& mass) { return stepped(mass, e, *N); };

@@ -60,6 +60,7 @@ Ball operator*(const Ball& a, const Ball& b) {
 Ball operator/(const Ball& a, const Ball& b) {
   const cl_I least = cln::abs(b.middle) - b.radius;
   if (least <= 0) throw NotCertain("a divisor is not certainly different from 0");
+  if (a.is_zero()) return 0;
   // |a/b - m_a/m_b| <= (r_a |m_b| + r_b |m_a|)/(|m_b| least)
   const cl_I quotient = cln::floor1(cln::ash(a.middle, Ball::bits_), b.middle);
   const cl_I error =

@@ -159,6 +159,19 @@ void collapse_from_any_start(Book& book) {
       book.show("never_ends", "so that the collisions never end:",
                 tautology(lt(0, nearing(j)), {book["any_start.takes_place"], rising}));
   know(closes);
+  const Theorem stays = assume(le(W, 0)), over = assume(le(swing(j), 0));
+  const Theorem next = at(book["chebyshev.rise"], {{x, kappa()}, {j, j + 1}});
+  const Theorem turns =
+      equation(swing(j + 1) * U(j), U(j + 1) * swing(j) + W * r_e(),
+               {part(at(book["chebyshev.last"], {{x, kappa()}}), 1),
+                solved_for(power(U(j), 2), at(book["chebyshev.neighbours"], {{x, kappa()}}))});
+  const Theorem ended =
+      scaled(le(swing(j + 1), 0), le(swing(j + 1) * U(j), 0), 1 / U(j),
+             {turns, times(over, linear(lt(0, U(j + 1)), {next})), times(stays, r_e())});
+  const Theorem sign = book["any_start.takes_place"];
+  book.show("once", "If it does, the first collision that does not take place is the last one:",
+            follows(imp(le(nearing(j), 0), le(nearing(j + 1), 0)),
+                    {sign, at(sign, {{j, j + 1}}), discharge(over.conclusion(), ended)}));
   const Exprs ending = endless + Exprs{lt(0, left(speed))};
   const auto name = [&](const char* symbol, Expr value, const char* words) {
     return book.define(symbol, any_start() + Exprs{d_A, d_B}, value, ending, words);

@@ -65,5 +65,17 @@ void chebyshev(Book& book) {
       "distance",
       "and where x is the mean of y and 1/y, quotients of neighbours differ from y by its powers:",
       linear(eq(y * U_x(j) - last(j), pow(j + 1)), {before}));
+  const Theorem scaled =
+      by_induction(j, eq(pow(j) * U_x(j), 1 + y * pow(j) * last(j)), {first, def[1], powers[0]},
+                   {after, last_after, root, at(powers[1])});
+  const Theorem apart =
+      equation(pow(j) * U_x(j) - pow(j) * last(j) / y, power(pow(j), 2), {before, at(powers[1])});
+  book.show("unit", "In these powers as the unit they stay near 1:",
+            both({scaled, linear(eq((1 / y - y) * pow(j) * last(j), 1 - power(pow(j), 2)),
+                                 {scaled, apart})}));
+  book.show("steps", "Of 1 they are",
+            by_induction(j, logic_and({eq(U(j, 1), j + 1), eq(fun("U_last", {Expr(1), j}), j)}),
+                         {at(first, {{x, 1}}), at(def[1], {{x, 1}})},
+                         {at(after, {{x, 1}}), at(last_after, {{x, 1}})}));
 }
 }  // namespace derivation

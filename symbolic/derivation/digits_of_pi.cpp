@@ -25,8 +25,8 @@ void digits_of_pi(Book& book) {
   const Theorem kappa_is = here("wedge.kappa"), r = here("wedge.r_A");
   const Expr kappa = left(kappa_is), share = right(r).arg(0);
   const Theorem no_share = here("wedge.r_B");
-  const Theorem unit = rewrite(equation(right(no_share).arg(0), 1), no_share);
-  const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, unit});
+  const Theorem all = rewrite(equation(right(no_share).arg(0), 1), no_share);
+  const Theorem root = equation(kappa, sqrt(share), {kappa_is, r, all});
   const Theorem square = equation(power(kappa, 2), share, {root});
   know(positive(root));
   const Theorem rest = positive(equation(1 - power(kappa, 2), 1 / (power(T, 2) + 1), {square}));

@@ -14,6 +14,7 @@ inline const Expr W = real("W");
 inline const Expr d_A = real("d_A");
 inline const Expr d_B = real("d_B");
 inline const Expr tau = real("tau");
+inline const Expr unit = real("unit");
 /// Positive masses, B perhaps a wall, and more.
 inline Exprs of_wedge(const Exprs& more) {
   return Exprs{lt(0, M_A), le(0, w_B), lt(0, M_C)} + more;

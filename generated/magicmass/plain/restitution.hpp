@@ -15,18 +15,18 @@
 namespace magicmass::generated {
 template <class Number>
 struct AngleRestitution {
-  Number h_e;
+  Number h_e, step_sine;
 };
-/// angle: h_e. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+/// angle: h_e, step_sine. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
+///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
 ///   0x1p+0.
-/// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.h_e.
-/// Operations: arctangents: 1, products: 3, quotients: 5, roots: 4, sums: 3.
+/// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.h_e, bodies.def_step_sine.
+/// Operations: arctangents: 1, products: 3, quotients: 5, roots: 4, sines: 1, sums: 3.
 template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e) {
-  using std::atan, std::sqrt;
+  using std::atan, std::sin, std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0)))
@@ -36,7 +36,8 @@ AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B,
   // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
   const Number kappa = (Number(1) + e) * r_A * r_B / sqrt(e) / Number(2);
   const Number h_e = atan(sqrt(q_e) / kappa);  // h_e = atan(sqrt(q_e)/kappa)
-  return {h_e};
+  const Number step_sine = sin(h_e);  // step_sine = sin(h_e)
+  return {h_e, step_sine};
 }
 template <class Number>
 struct CountRestitution {
@@ -44,29 +45,28 @@ struct CountRestitution {
 };
 /// count: N_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
 ///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
-///   -0x1p+32 to 0x1p+32, step_sine between 0x1p-128 and 0x1p+1.
-/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, wedge.kappa,
-///   bodies.phase_e, bodies.N_any.
-/// Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sines: 1, sums:
-///   8.
+///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, step_sine(M_A, w_B, M_C, e) from
+///   0x1p-128 to 0x1p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32.
+/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.phase_e, bodies.N_any.
+/// Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sums: 8.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_any.
 template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
-    const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W) {
-  using std::atan, std::ceil, std::sin, std::sqrt;
+    const Number& e, const Number& q_e, const Number& h_e, const Number& step_sine, const Number& V,
+    const Number& W) {
+  using std::atan, std::ceil, std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
-      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32)))
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && step_sine >= Number(0x1p-128) && step_sine
+      <= Number(0x1p+0) && V >= Number(0x1p-32) && V <= Number(0x1p+32) && W >= Number(-0x1p+32) &&
+      W <= Number(0x1p+32)))
     throw std::domain_error("count_restitution: outside of the domain that its comment states");
   const Number r_A = sqrt(M_A / (M_A + M_C));  // r_A = sqrt(M_A/(M_A + M_C))
   const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));  // r_B = sqrt(1/(1 + w_B*M_C))
   const Number t7 = sqrt(e);  // for r_e, kappa
   const Number r_e = r_B / r_A / t7;  // r_e = r_B/(r_A*sqrt(e))
-  const Number step_sine = sin(h_e);  // step_sine = sin(h_e)
   // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
   const Number kappa = (Number(1) + e) * r_A * r_B / t7 / Number(2);
   // phase_e = pi/2 - atan((kappa + W/V*r_e)/step_sine)
@@ -74,134 +74,196 @@ CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B,
       step_sine);
   // N_any = ceil((pi - phase_e)/h_e + 1) - 1
   const Number N_any = ceil((Number(4) * atan(Number(1)) - phase_e) / h_e + Number(1)) - Number(1);
-  if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-    throw std::domain_error("count_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
   return {N_any};
+}
+template <class Number>
+struct SinesRestitution {
+  Number now, last;
+};
+/// sines: now, last. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
+///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, step_sine(M_A, w_B, M_C, e) from
+///   0x1p-128 to 0x1p+0, j from 0 to 4611686018427387904.
+/// Theorems: bodies.now_sine, bodies.last_sine.
+/// Operations: products: 2, sines: 2, sums: 1.
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
+SinesRestitution<Number> sines_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
+    const Number& e, const Number& q_e, const Number& h_e, const Number& step_sine, std::int64_t j)
+    {
+  using std::sin;
+  if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
+      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && step_sine >= Number(0x1p-128) && step_sine
+      <= Number(0x1p+0) && j >= 0 && j <= 4611686018427387904))
+    throw std::domain_error("sines_restitution: outside of the domain that its comment states");
+  const Number now = sin((Number(j) + Number(1)) * h_e);  // now_j(step_sine) = sin((j + 1)*h_e)
+  const Number last = sin(Number(j) * h_e);  // last_j(step_sine) = sin(j*h_e)
+  return {now, last};
+}
+template <class Number>
+struct RiseRestitution {
+  Number last, now;
+};
+/// rise: last, now. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from -0x1p+128 to
+///   -0x1p-128, y_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, j from 0 to 4611686018427387904,
+///   pow(y_e, j) from 0x1p-128 to 0x1p+0.
+/// Theorems: bodies.last_rise, bodies.now_rise.
+/// Operations: products: 2, quotients: 2, roots: 1, sums: 2.
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
+RiseRestitution<Number> rise_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
+    const Number& e, const Number& q_e, const Number& y_e, std::int64_t j, const Number& pow) {
+  using std::sqrt;
+  if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+128) && q_e <=
+      Number(-0x1p-128) && y_e >= Number(0x1p-128) && y_e <= Number(0x1p+0) && j >= 0 && j <=
+      4611686018427387904 && pow >= Number(0x1p-128) && pow <= Number(0x1p+0)))
+    throw std::domain_error("rise_restitution: outside of the domain that its comment states");
+  // last_j(pow_j(y_e)) = (1 - pow_j(y_e)^2)/(2*sqrt(-q_e))
+  const Number last = (Number(1) - pow * pow) / sqrt(-q_e) / Number(2);
+  const Number now = Number(1) + y_e * last;  // now_j(pow_j(y_e)) = 1 + y_e*last_j(pow_j(y_e))
+  return {last, now};
+}
+template <class Number>
+struct EvenRestitution {
+  Number last, now;
+};
+/// even: last, now. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
+///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x0p+0 to 0x0p+0,
+///   unit from 0x1p+0 to 0x1p+0, j from 0 to 4611686018427387904.
+/// Theorems: bodies.last_step, bodies.now_step.
+/// Operations: sums: 1.
+template <class Number>
+  requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
+EvenRestitution<Number> even_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
+    const Number& e, const Number& q_e, const Number& unit, std::int64_t j) {
+  if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
+      Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
+      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x0p+0) && q_e <= Number(0x0p+0) &&
+      unit >= Number(0x1p+0) && unit <= Number(0x1p+0) && j >= 0 && j <= 4611686018427387904))
+    throw std::domain_error("even_restitution: outside of the domain that its comment states");
+  const Number now = Number(j) + Number(1);  // now_j(1) = j + 1
+  return {Number(j), now};
 }
 template <class Number>
 struct AtRestitution {
   Number B_at, A_at, C_at;
 };
 /// at: B_at, A_at, C_at. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
-///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
-///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0
-///   to 0x1p+32, j from 0 to 4611686018427387904, turn(j) from -0x1p+0 to 0x1p+0, pow(sqrt(e), j)
-///   from 0x0p+0 to 0x1p+0, step_sine between 0x1p-128 and 0x1p+1, now_side between 0x1p-128 and
-///   0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_now_side,
-///   bodies.def_later_side, bodies.def_last_sine, bodies.def_now_sine, bodies.def_later_sine,
-///   bodies.before, bodies.after, bodies.B_at, bodies.A_at, bodies.C_at.
-/// Operations: products: 28, quotients: 14, roots: 3, sines: 4, sums: 21.
+///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, unit from 0x1p-128 to 0x1p+1, j from 0
+///   to 4611686018427387904, now(M_A, w_B, M_C, e, unit, j) from -0x1p+0 to 0x1p+64, last(M_A, w_B,
+///   M_C, e, unit, j) from -0x1p+0 to 0x1p+64, per_unit(M_A, w_B, M_C, e, unit, j) from 0x0p+0 to
+///   0x1p+64, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32,
+///   d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0 to 0x1p+32, turn(j) from -0x1p+0 to 0x1p+0,
+///   now_side between 0x1p-128 and 0x1p+128.
+/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.def_now_side,
+///   bodies.def_later_side, bodies.before, bodies.after, bodies.B_at, bodies.A_at, bodies.C_at.
+/// Operations: products: 29, quotients: 14, roots: 3, sums: 21.
 template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const Number& M_C, const
-    Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const Number&
-    d_A, const Number& d_B, const Number& tau, std::int64_t j, const Number& turn, const Number&
-    pow) {
-  using std::sin, std::sqrt;
+    Number& e, const Number& unit, std::int64_t j, const Number& now, const Number& last, const
+    Number& per_unit, const Number& V, const Number& W, const Number& d_A, const Number& d_B, const
+    Number& tau, const Number& turn) {
+  using std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
-      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
-      Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32) && d_A >= Number(0x0p+0) &&
-      d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) && d_B <= Number(0x1p+32) && tau >=
-      Number(0x0p+0) && tau <= Number(0x1p+32) && j >= 0 && j <= 4611686018427387904 && turn >=
-      Number(-0x1p+0) && turn <= Number(0x1p+0) && pow >= Number(0x0p+0) && pow <= Number(0x1p+0)))
+      Number(0x1p-128) && e <= Number(0x1p+0) && unit >= Number(0x1p-128) && unit <= Number(0x1p+1)
+      && j >= 0 && j <= 4611686018427387904 && now >= Number(-0x1p+0) && now <= Number(0x1p+64) &&
+      last >= Number(-0x1p+0) && last <= Number(0x1p+64) && per_unit >= Number(0x0p+0) && per_unit
+      <= Number(0x1p+64) && V >= Number(0x1p-32) && V <= Number(0x1p+32) && W >= Number(-0x1p+32) &&
+      W <= Number(0x1p+32) && d_A >= Number(0x0p+0) && d_A <= Number(0x1p+32) && d_B >=
+      Number(0x0p+0) && d_B <= Number(0x1p+32) && tau >= Number(0x0p+0) && tau <= Number(0x1p+32) &&
+      turn >= Number(-0x1p+0) && turn <= Number(0x1p+0)))
     throw std::domain_error("at_restitution: outside of the domain that its comment states");
   const Number t1 = M_A + M_C;  // for r_A, B_at
   const Number r_A = sqrt(M_A / t1);  // r_A = sqrt(M_A/(M_A + M_C))
   const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));  // r_B = sqrt(1/(1 + w_B*M_C))
-  const Number t7 = sqrt(e);  // for r_e, after
+  const Number t7 = sqrt(e);  // for r_e, kappa, after
   const Number r_e = r_B / r_A / t7;  // r_e = r_B/(r_A*sqrt(e))
-  const Number step_sine = sin(h_e);  // step_sine = sin(h_e)
-  const Number t8 = Number(1) + turn;  // for now_side, later_side, B_at, C_at
-  const Number t10 = Number(1) - turn;  // for now_side, later_side, B_at, C_at
-  const Number t11 = r_A / r_B;  // for now_side, later_side
+  // kappa = (1 + e)*r_A*r_B/(2*sqrt(e))
+  const Number kappa = (Number(1) + e) * r_A * r_B / t7 / Number(2);
+  const Number t12 = Number(1) + turn;  // for now_side, later_side, B_at, C_at
+  const Number t14 = Number(1) - turn;  // for now_side, later_side, B_at, C_at
+  const Number t15 = r_A / r_B;  // for now_side, later_side
   // now_side_j = (1 + turn_j)/2 + (1 - turn_j)*(r_A/r_B)/2
-  const Number now_side = t8 / Number(2) + t10 * t11 / Number(2);
+  const Number now_side = t12 / Number(2) + t14 * t15 / Number(2);
   // later_side_j = (1 - turn_j)/2 + (1 + turn_j)*(r_A/r_B)/2
-  const Number later_side = t10 / Number(2) + t8 * t11 / Number(2);
-  const Number last_sine = sin(Number(j) * h_e);  // last_sine_j = sin(j*h_e)
-  const Number now_sine = sin((Number(j) + Number(1)) * h_e);  // now_sine_j = sin((j + 1)*h_e)
-  const Number later_sine = sin((Number(j) + Number(2)) * h_e);  // later_sine_j = sin((j + 2)*h_e)
-  const Number t24 = V * tau - d_A;  // for before, after, B_at
-  const Number t27 = W * tau - d_B;  // for before, after, B_at
-  const Number t28 = t27 * r_e;  // for before, after
-  // before_j(tau) = pow_j(sqrt(e))/step_sine*now_side_j*((V*tau - d_A)*now_sine_j + (W*tau -
-  //   d_B)*r_e*last_sine_j)
-  const Number before = pow * now_side * (t24 * now_sine + t28 * last_sine) / step_sine;
-  // after_j(tau) = sqrt(e)*(pow_j(sqrt(e))/step_sine)*later_side_j*((V*tau - d_A)*later_sine_j +
-  //   (W*tau - d_B)*r_e*now_sine_j)
-  const Number after = t7 * (pow / step_sine) * later_side * (t24 * later_sine + t28 * now_sine);
+  const Number later_side = t14 / Number(2) + t12 * t15 / Number(2);
+  const Number t23 = V * tau - d_A;  // for before, after, B_at
+  const Number t26 = W * tau - d_B;  // for before, after, B_at
+  const Number t27 = t26 * r_e;  // for before, after
+  // before_j(tau) = per_unit_j(unit)*now_side_j*((V*tau - d_A)*now_j(unit) + (W*tau -
+  //   d_B)*r_e*last_j(unit))
+  const Number before = per_unit * now_side * (t23 * now + t27 * last);
+  // after_j(tau) = sqrt(e)*per_unit_j(unit)*later_side_j*((V*tau - d_A)*(2*kappa*now_j(unit) -
+  //   last_j(unit)) + (W*tau - d_B)*r_e*now_j(unit))
+  const Number after = t7 * per_unit * later_side * (t23 * (Number(2) * kappa * now - last) + t27 *
+      now);
   const Number t43 = e * before;  // for B_at, A_at, C_at
   const Number t44 = after - t43;  // for B_at, A_at
-  const Number t50 = t8 * after / Number(2) - t10 * t43 / Number(2);  // for B_at, C_at
+  const Number t50 = t12 * after / Number(2) - t14 * t43 / Number(2);  // for B_at, C_at
   // B_at_j(tau) = (w_B*(M_A*(V*tau - d_A + (W*tau - d_B)) + M_C*(W*tau - d_B)) -
   //   w_B*(M_A*(after_j(tau) - e*before_j(tau)) + M_C*((1 + turn_j)*after_j(tau)/2 - (1 -
   //   turn_j)*(e*before_j(tau))/2)))/(1 + w_B*(M_A + M_C))
-  const Number B_at = (w_B * (M_A * (t24 + t27) + M_C * t27) - w_B * (M_A * t44 + M_C * t50)) /
+  const Number B_at = (w_B * (M_A * (t23 + t26) + M_C * t26) - w_B * (M_A * t44 + M_C * t50)) /
       (Number(1) + w_B * t1);
   const Number A_at = B_at + t44;  // A_at_j(tau) = B_at_j(tau) + (after_j(tau) - e*before_j(tau))
   // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_j(tau)/2 - (1 - turn_j)*(e*before_j(tau))/2)
   const Number C_at = B_at + t50;
-  if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-    throw std::domain_error("at_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
   if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
     throw std::domain_error("at_restitution: now_side must be between 0x1p-128 and 0x1p+128");
   return {B_at, A_at, C_at};
 }
 template <class Number>
 struct TimeRestitution {
-  Number moment;
+  Number reach, moment;
 };
-/// time: moment. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, V from 0x1p-32 to 0x1p+32, W from
-///   -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, j from 0 to
-///   4611686018427387904, step_sine between 0x1p-128 and 0x1p+1, reach between 0x1p-128 and
+/// time: reach, moment. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
+///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, unit from 0x1p-128 to 0x1p+1, j from 0
+///   to 4611686018427387904, now(M_A, w_B, M_C, e, unit, j) from -0x1p+0 to 0x1p+64, last(M_A, w_B,
+///   M_C, e, unit, j) from -0x1p+0 to 0x1p+64, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to
+///   0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, reach between 0x1p-128 and
 ///   0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_step_sine, bodies.def_last_sine,
-///   bodies.def_now_sine, bodies.def_reach, bodies.moment.
-/// Operations: products: 9, quotients: 5, roots: 3, sines: 3, sums: 5.
+/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_reach, bodies.moment.
+/// Operations: products: 7, quotients: 5, roots: 3, sums: 4.
 template <class Number>
   requires(!std::integral<Number> && !std::same_as<Number, float>)  // 1.0, not 1 or 1.0f
 TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
-    const Number& e, const Number& q_e, const Number& h_e, const Number& V, const Number& W, const
-    Number& d_A, const Number& d_B, std::int64_t j) {
-  using std::sin, std::sqrt;
+    const Number& e, const Number& unit, std::int64_t j, const Number& now, const Number& last,
+    const Number& V, const Number& W, const Number& d_A, const Number& d_B) {
+  using std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
-      Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
-      h_e >= Number(0x1p-128) && h_e <= Number(0x1p+2) && V >= Number(0x1p-32) && V <=
+      Number(0x1p-128) && e <= Number(0x1p+0) && unit >= Number(0x1p-128) && unit <= Number(0x1p+1)
+      && j >= 0 && j <= 4611686018427387904 && now >= Number(-0x1p+0) && now <= Number(0x1p+64) &&
+      last >= Number(-0x1p+0) && last <= Number(0x1p+64) && V >= Number(0x1p-32) && V <=
       Number(0x1p+32) && W >= Number(-0x1p+32) && W <= Number(0x1p+32) && d_A >= Number(0x0p+0) &&
-      d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) && d_B <= Number(0x1p+32) && j >= 0 && j <=
-      4611686018427387904))
+      d_A <= Number(0x1p+32) && d_B >= Number(0x0p+0) && d_B <= Number(0x1p+32)))
     throw std::domain_error("time_restitution: outside of the domain that its comment states");
   const Number r_A = sqrt(M_A / (M_A + M_C));  // r_A = sqrt(M_A/(M_A + M_C))
   const Number r_B = sqrt(Number(1) / (Number(1) + w_B * M_C));  // r_B = sqrt(1/(1 + w_B*M_C))
   const Number r_e = r_B / r_A / sqrt(e);  // r_e = r_B/(r_A*sqrt(e))
-  const Number step_sine = sin(h_e);  // step_sine = sin(h_e)
-  const Number last_sine = sin(Number(j) * h_e);  // last_sine_j = sin(j*h_e)
-  const Number now_sine = sin((Number(j) + Number(1)) * h_e);  // now_sine_j = sin((j + 1)*h_e)
-  // reach_j = V*now_sine_j + W*r_e*last_sine_j
-  const Number reach = V * now_sine + W * r_e * last_sine;
-  // moment_j = (d_A*now_sine_j + d_B*r_e*last_sine_j)/reach_j
-  const Number moment = (d_A * now_sine + d_B * r_e * last_sine) / reach;
-  if (!(step_sine > Number(0x1p-128) && step_sine < Number(0x1p+1)))
-    throw std::domain_error("time_restitution: step_sine must be between 0x1p-128 and 0x1p+1");
+  // reach_j(unit) = V*now_j(unit) + W*r_e*last_j(unit)
+  const Number reach = V * now + W * r_e * last;
+  // moment_j = (d_A*now_j(unit) + d_B*r_e*last_j(unit))/reach_j(unit)
+  const Number moment = (d_A * now + d_B * r_e * last) / reach;
   if (!(reach > Number(0x1p-128) && reach < Number(0x1p+128)))
     throw std::domain_error("time_restitution: reach must be between 0x1p-128 and 0x1p+128");
-  return {moment};
+  return {reach, moment};
 }
 template <class Number>
 struct CollapseRestitution {
-  Number end_speed, t_any, x_any, v_any;
+  Number y_e, end_speed, t_any, x_any, v_any;
 };
-/// collapse: end_speed, t_any, x_any, v_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0
-///   to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e)
-///   from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from
-///   0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
+/// collapse: y_e, end_speed, t_any, x_any, v_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from
+///   0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B,
+///   M_C, e) from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A
+///   from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
 /// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.y_e, bodies.end_speed,
 ///   bodies.t_any, bodies.x_any, bodies.v_any.
 /// Operations: products: 16, quotients: 9, roots: 4, sums: 13.
@@ -238,6 +300,6 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
   if (!(end_speed > Number(0x1p-128) && end_speed < Number(0x1p+128)))
     throw std::domain_error("collapse_restitution: "
         "end_speed must be between 0x1p-128 and 0x1p+128");
-  return {end_speed, t_any, x_any, v_any};
+  return {y_e, end_speed, t_any, x_any, v_any};
 }
 }  // namespace magicmass::generated

@@ -247,7 +247,7 @@ void lay_out(Scene& scene) {
   if (!scene.has("velocities")) {
     scene.velocities.assign(scene.masses.size(), value_of(0));
     if (scene.kind == Kind::wall && scene.left_wall)
-      scene.velocities[1] = {"", Quadratic(0) - exactly(scene, "V", scene.V)};
+      scene.velocities[1] = negative(scene.V);
     else
       scene.velocities[0] = scene.V;
   }
@@ -257,7 +257,7 @@ void check_meaning(const Scene& scene) {
   if (scene.kind == Kind::wall && scene.left_wall && scene.right_wall)
     refuse_key(scene, "left_wall", "two walls", "one wall; two in kind = \"chain\"");
   const auto refuse_below_0 = [&](const char* key, const Value& value) {
-    if (value.exact() != nullptr && *value.exact() < 0)
+    if (!value.is(0) && !value.is_positive())
       refuse_key(scene, key, "got " + value.text.substr(0, 40), "0 or more");
   };
   for (const Value& time : scene.times) refuse_below_0("times", time);

@@ -30,10 +30,12 @@ struct Value {
   std::string text;  ///< as it was written
   /// alpha_k or beta_k where it is in no quadratic field.
   std::variant<Quadratic, notation::Threshold> number;
+  bool is_negative = false;  ///< minus that ratio
 
   const Quadratic* exact() const { return std::get_if<Quadratic>(&number); }
   bool is(const Quadratic& x) const { return exact() != nullptr && *exact() == x; }
   const notation::Threshold* ratio() const { return std::get_if<notation::Threshold>(&number); }
+  bool is_positive() const { return exact() ? Quadratic(0) < *exact() : !is_negative; }
   /// The nearest double. Throws Undecided where none is near.
   double to_double() const;
 };
@@ -47,6 +49,7 @@ Scalar number_of(const Value& value) {
     return *value.exact();
 }
 
+Value negative(const Value& x);
 /// x - y, where it is known to be a value.
 std::optional<Value> difference(const Value& x, const Value& y);
 /// x / y, where it is known exactly.
@@ -82,6 +85,17 @@ auto with_bits(int digits, const Compute& compute, const std::string& otherwise 
     }
   }
   throw Undecided("more than " + std::to_string(most) + " bits would be needed" + otherwise);
+}
+
+/// How many of the first `most` have what those after them do not have.
+template <class Has>
+std::int64_t count_of(std::int64_t most, const Has& has) {
+  std::int64_t count = 0, more = 1;
+  const auto have = [&] { return more <= most - count && has(count + more - 1); };
+  for (; have(); more *= 2) count += more;
+  for (; more > 0; more /= 2)
+    if (have()) count += more;
+  return count;
 }
 
 /// Blocks A, B and a ball C between them; a block A, a ball C and a wall; any bodies.

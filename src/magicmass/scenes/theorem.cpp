@@ -38,17 +38,6 @@ std::vector<double> certain(const Balls& balls) {
   return with_bits(
       17, [&] { return rounded(balls); }, " to round the numbers of the answer");
 }
-/// How many of the first `most` are by a time, which come one after the other.
-template <class IsBy>
-std::int64_t count_of(std::int64_t most, const IsBy& is_by) {
-  std::int64_t count = 0, more = 1;
-  const auto are_by = [&] { return count + more <= most && is_by(count + more - 1); };
-  for (; are_by(); more *= 2) count += more;
-  for (; more > 0; more /= 2)
-    if (are_by()) count += more;
-  return count;
-}
-
 /// Whether collision j comes by this time.
 bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
   const auto exact = trios.exact_time(j);
@@ -148,33 +137,21 @@ std::optional<Result> by_theorem(const Scene& scene) {
 void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink) {
   const Trios trios = *Trios::of(scene);
   const auto collisions = within(trios, scene);
-  const Trio* const stepped = !collisions || every < 8 ? trios.alone() : nullptr;
-  std::optional<Trio::Stepping> now;
-  const std::int64_t end = collisions.value_or(INT64_MAX), step = stepped ? 1 : every;
+  const std::int64_t end = collisions.value_or(INT64_MAX);
   double before = -1;
-  std::size_t gap = 0;
-  for (std::int64_t j = step - 1; j < end; j += std::min(step, end - j)) {
-    const auto row_of = [&](const Trio::Collision& c) {
+  for (std::int64_t j = every - 1; j < end; j += std::min(every, end - j)) {
+    std::size_t gap = 0;
+    const std::vector<double> n = certain([&] {
+      const Trio::Collision c = trios.collision(j);
       gap = c.gap;
       return std::vector{c.time, c.position, c.v_left, c.v_right};
-    };
-    const Balls alone = [&] { return row_of(trios.collision(j)); };
-    const Balls next = [&] {
-      now->step();
-      return row_of(trios.seen(stepped->collision(*now)));
-    };
-    const Balls again = [&] {
-      now = stepped->stepped(stepped->shape(), j - trios.thrown());
-      return next();
-    };
-    const bool is_last = collisions && j + 2 >= *collisions;  // by theorems these may be at rest
-    const bool is_next = stepped && j >= trios.thrown() && !is_last;
-    auto row = is_next && now ? rounded(next) : std::nullopt;
-    if (!row) row = certain(is_next ? again : alone);
-    const std::vector<double>& n = *row;
-    if (!collisions && j >= 3 && n[0] == before) return;
+    });
+    if (!collisions && j >= 3) {
+      if (every > 1) before = certain([&] { return std::vector{trios.collision(j - 1).time}; })[0];
+      if (n[0] == before) return;
+    }
     before = n[0];
-    if ((j + 1) % every == 0) sink({j + 1, gap, n[0], n[1], n[2], n[3]});
+    sink({j + 1, gap, n[0], n[1], n[2], n[3]});
   }
 }
 

@@ -23,20 +23,50 @@ struct Unguarded : Ball {
 /// and no divisor that may be 0 by Ball.
 template <class Form, class... More>
 auto value_of_form(const Form& form, const Trio::Shape& s, const More&... more) {
-  return form(s.A, s.per_B, 1, s.e, s.q_e, more...);
+  return form(s.A, s.per_B, 1, s.e, more...);
 }
 [[noreturn]] void too_many() {
   throw Undecided("there are more than 2^62 collisions; possible: masses that are less far apart");
 }
-Ball turn(std::int64_t j) { return j % 2 == 0 ? 1 : -1; }
-auto end_of(const Trio::Shape& s, const Trio::Stepping::Start& at_0) {
+auto end_of(const Trio::Shape& s, const Trio::FromB& at_0) {
   const auto& [V, W, d_A, d_B] = at_0;
-  return value_of_form(generated::collapse_restitution<Unguarded>, s, V, W, d_A, d_B);
+  return value_of_form(generated::collapse_restitution<Unguarded>, s, s.q_e, V, W, d_A, d_B);
 }
-/// sqrt(e)^j
-Ball power_of(const Trio::Shape& s, std::int64_t j) {
-  if (s.e.low() == 1) return 1;
-  return j % 2 == 0 ? power(s.e, j / 2) : power(s.e, j / 2) * sqrt(s.e);
+/// U_j and U_last in a unit, and sqrt(e)^j over it.
+struct Swing {
+  std::int64_t j;
+  Ball unit, now, last, per_unit;
+};
+Swing swing_of(const Trio::Shape& s, std::int64_t j) {
+  if (s.q_e > 0) {
+    const auto [now, last] =
+        value_of_form(generated::sines_restitution<Unguarded>, s, s.q_e, s.h_e, s.step_sine, j);
+    const Ball pair = power(s.e, j / 2);
+    return {j, s.step_sine, now, last, (j % 2 == 0 ? pair : pair * sqrt(s.e)) / s.step_sine};
+  }
+  const Ball unit = power(s.y_e, j), per_unit = power(sqrt(s.e) / s.y_e, j);
+  if (s.q_e < 0) {
+    const auto [last, now] =
+        value_of_form(generated::rise_restitution<Unguarded>, s, s.q_e, s.y_e, j, unit);
+    return {j, unit, now, last, per_unit};
+  }
+  const auto [last, now] = value_of_form(generated::even_restitution<Unguarded>, s, s.q_e, unit, j);
+  return {j, unit, now, last, per_unit};
+}
+/// Whether it takes place, and when.
+auto time_of(const Trio::Shape& s, const Swing& c, const Trio::FromB& from) {
+  const auto& [V, W, d_A, d_B] = from;
+  return value_of_form(generated::time_restitution<Unguarded>, s, c.unit, c.j, c.now, c.last, V, W,
+                       d_A, d_B);
+}
+/// Places at a time after it, of A, C and B, as seen from B before it is met.
+std::array<Ball, 3> places_seen(const Trio::Shape& s, const Swing& c, const Trio::FromB& from,
+                                const Ball& time) {
+  const auto& [V, W, d_A, d_B] = from;
+  const Ball turn = c.j % 2 == 0 ? 1 : -1;
+  const auto at = value_of_form(generated::at_restitution<Unguarded>, s, c.unit, c.j, c.now, c.last,
+                                c.per_unit, V, W, d_A, d_B, time, turn);
+  return {at.A_at, at.C_at, c.j == 0 ? Ball(0) : Ball(at.B_at)};  // B was not met
 }
 }  // namespace
 
@@ -44,10 +74,10 @@ std::optional<Trio> Trio::of(const Start& start) try {
   const auto& [masses, e, V, r, d_A, d_B, place, drift, sign] = start;
   const auto part = d_B.is(0) ? std::nullopt : quotient(d_A, d_B);
   const bool is_first = !(Quadratic(0) < r) || (part && r * *part < 1);
-  if (!is_first || (V.exact() && !(Quadratic(0) < *V.exact()))) return {};
+  if (!is_first || !V.is_positive()) return {};
   Trio t;
   t.from_ = start;
-  if (t.bodies() == 3 && masses[0].is(1) && masses[2].is(1) && e == 1 && t.is_at_rest())
+  if (t.bodies() == 3 && masses[0].is(1) && masses[2].is(1) && e.is(1) && t.is_at_rest())
     t.at_threshold_ = t.count_at_threshold();
   if (r < 0 && !t.has_told_end()) return {};
   return t;
@@ -57,8 +87,7 @@ std::optional<Trio> Trio::of(const Start& start) try {
 std::optional<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
   const auto &wall = is_mirrored ? scene.left_wall : scene.right_wall,
              &behind = is_mirrored ? scene.right_wall : scene.left_wall;
-  const auto* const e = scene.restitution.exact();
-  if (scene.masses.size() + (wall ? 1 : 0) != 3 || behind || !e) return {};
+  if (scene.masses.size() + (wall ? 1 : 0) != 3 || behind) return {};
   std::vector<Value> masses = scene.masses, x = scene.positions, v = scene.velocities;
   if (is_mirrored)
     for (auto* const values : {&masses, &x, &v}) std::ranges::reverse(*values);
@@ -72,24 +101,24 @@ std::optional<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
   if (!V || !U || !d_A || !d_B) return {};
   const auto U_per_V = quotient(*U, *V);
   if (!U_per_V) return {};
-  return of({masses, *e, *V, *U_per_V - 1, *d_A, *d_B, x[2], v[2], is_mirrored ? -1 : 1});
+  return of(
+      {masses, scene.restitution, *V, *U_per_V - 1, *d_A, *d_B, x[2], v[2], is_mirrored ? -1 : 1});
 }
-Trio Trio::equal_blocks(const Value& alpha, const Quadratic& e) {
+Trio Trio::equal_blocks(const Value& alpha, const Value& e) {
   return *of(Start{{value_of(1), alpha, value_of(1)}, e});
 }
 
-std::optional<std::array<Quadratic, 3>> Trio::exact_masses() const {
+std::optional<std::array<Quadratic, 4>> Trio::exact_bodies() const {
   const std::vector<Value>& m = from_.masses;
-  for (const Value& mass : m)
-    if (!mass.exact()) return {};
-  return {
-      {*m[0].exact(), *m[1].exact(), bodies() == 3 ? Quadratic(1) / *m[2].exact() : Quadratic(0)}};
+  if (!from_.e.exact() || !std::ranges::all_of(m, &Value::exact)) return {};
+  const Quadratic per_B = bodies() == 3 ? Quadratic(1) / *m[2].exact() : Quadratic(0);
+  return {{*m[0].exact(), *m[1].exact(), per_B, *from_.e.exact()}};
 }
 std::optional<Quadratic> Trio::exact_q_e() const try {
-  const auto exact = exact_masses();
+  const auto exact = exact_bodies();
   if (!exact) return {};
-  const auto& [A, C, per_B] = *exact;
-  return generated::shape_exact(A, per_B, C, from_.e).q_e;
+  const auto& [A, C, per_B, e] = *exact;
+  return generated::shape_exact(A, per_B, C, e).q_e;
 } catch (const std::domain_error&) {
   return {};
 }
@@ -99,104 +128,102 @@ Trio::Shape Trio::shape() const {
   Shape s{C, ball_of(m[0]) / C, bodies() == 3 ? C / ball_of(m[2]) : Ball(0), ball_of(from_.e), 0};
   const auto q_e = exact_q_e();
   s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact<Ball>(s.A, s.per_B, 1, s.e).q_e;
-  if (s.q_e > 0) s.h_e = value_of_form(generated::angle_restitution<Unguarded>, s).h_e;
+  if (s.q_e > 0) {
+    const auto angle = value_of_form(generated::angle_restitution<Unguarded>, s, s.q_e);
+    s.h_e = angle.h_e;
+    s.step_sine = angle.step_sine;
+  } else if (s.q_e < 0) {
+    s.y_e = end_of(s, {}).y_e;
+  }
   return s;
 }
 /// magic.counts, deficient.counts
 std::optional<std::int64_t> Trio::count_at_threshold() const {
   if (const auto* const ratio = from_.masses[1].ratio())
     return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
-  const auto end = first_collisions();
-  return end.velocities[0] == 0 && end.velocities[1] == 0 ? std::optional(end.collisions)
-                                                          : std::nullopt;
+  const auto end = first_collisions(largest_tie);
+  const bool is_one = end && end->velocities[0] == 0 && end->velocities[1] == 0;
+  return is_one ? std::optional(end->collisions) : std::nullopt;
 }
-simulator::InTurn<Quadratic> Trio::first_collisions() const {
-  const auto [A, C, per_B] = *exact_masses();
-  const Quadratic one(1), none(0);
-  simulator::InTurn<Quadratic> now(A, C, per_B, from_.e, {one, from_.W_per_V, none, one});
+std::optional<simulator::InTurn<Quadratic>> Trio::first_collisions(std::int64_t most) const try {
+  const auto exact = exact_bodies();
+  if (!exact) return {};
+  const auto& [A, C, per_B, e] = *exact;
+  simulator::InTurn<Quadratic> now(A, C, per_B, e, 1, from_.W_per_V);
   const auto& v = now.velocities;
   const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
-  while (now.collisions <= largest_tie && approach()) now.step();
+  while (now.collisions <= most && approach()) now.step();
   return now;
+} catch (const std::domain_error&) {  // masses and velocities of two fields
+  return {};
 }
 std::optional<std::int64_t> Trio::count() const {
   if (at_threshold_) return at_threshold_;
   const cl_I most = cln::ash(cl_I(1), 62);
-  if (const auto q_e = exact_q_e()) {
-    if (!(Quadratic(0) < *q_e)) return {};
+  const auto exact = exact_q_e();
+  if (exact && Quadratic(0) < *exact) {
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
-    if (is_at_rest() && *q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
+    if (is_at_rest() && *exact < Quadratic(cl_RA(1) / cln::square(most))) too_many();
     // A tie of pi/h_e with a whole number is decided collision by collision.
-    try {
-      const std::int64_t few = first_collisions().collisions;
-      if (few <= largest_tie) return few;
-    } catch (const std::domain_error&) {  // masses and velocities of two fields
-    }
+    const auto few = first_collisions(largest_tie);
+    if (few && few->collisions <= largest_tie) return few->collisions;
   }
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();
-    if (s.q_e <= 0) return 0;
-    const Stepping::Start at_0 = start();
-    return value_of_form(generated::count_restitution<Unguarded>, s, s.h_e, at_0.V, at_0.W)
-        .N_any.low();
+    const FromB at_0 = start();
+    if (s.q_e > 0)
+      return value_of_form(generated::count_restitution<Unguarded>, s, s.q_e, s.h_e, s.step_sine,
+                           at_0.V, at_0.W)
+          .N_any.low();
+    if (!(from_.W_per_V < 0) || Ball(end_of(s, at_0).end_speed) > 0) return 0;
+    const auto takes_place = [&](std::int64_t j) {
+      return Ball(time_of(s, swing_of(s, j), at_0).reach) > 0;
+    };
+    return static_cast<long long>(count_of(std::int64_t(1) << 62U, takes_place));  // any_start.once
   };
-  const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
-  if (N == 0) return {};
-  if (N > most) too_many();
-  return cln::cl_I_to_long(cln::numerator(N));
+  try {
+    const cl_RA N = with_bits(17, computed, " to tell how many collisions there are");
+    if (N == 0) return {};
+    if (N >= most) too_many();
+    return cln::cl_I_to_long(cln::numerator(N));
+  } catch (const Undecided&) {
+    const auto few = is_at_rest() ? std::nullopt : first_collisions(longest_tie);
+    if (few && few->collisions <= longest_tie) return few->collisions;
+    throw;
+  }
 }
 
-Trio::Stepping::Start Trio::start() const {
+Trio::FromB Trio::start() const {
   const Ball V = ball_of(from_.V);
   return {V, ball_of(from_.W_per_V) * V, ball_of(from_.d_A), ball_of(from_.d_B)};
 }
 bool Trio::has_told_end() const try {
   return with_bits(17, [&] {
     const Shape s = shape();
-    return s.q_e > 0 || Ball(end_of(s, start()).end_speed) > 0;
+    const Ball speed = s.q_e > 0 ? Ball(1) : Ball(end_of(s, start()).end_speed);
+    return speed > 0 || speed < 0;
   });
 } catch (const Undecided&) {
   return false;
-}
-Trio::Stepping Trio::stepped(const Shape& s, std::int64_t collisions) const {
-  Stepping now(s.A, 1, s.per_B, s.e, start());
-  while (now.collisions < collisions) now.step();
-  return now;
-}
-Trio::Collision Trio::collision(const Stepping& now) const {
-  return in_scene(now.collisions - 1, now.time, now.place, now.velocities);
 }
 Ball Trio::place_of(const Ball& time, const Ball& place) const {
   return from_.sign * (ball_of(from_.drift) * time + ball_of(from_.place)) + place;
 }
 Ball Trio::velocity_of(const Ball& u) const { return from_.sign * ball_of(from_.drift) + u; }
-Trio::Collision Trio::in_scene(std::int64_t j, const Ball& moment, const Ball& place,
-                               const Velocities& u) const {
-  const std::size_t right = j % 2 == 0 ? 1 : 2;
-  const Ball position = place_of(moment, right == bodies() ? Ball(0) : place);
-  return {j + 1, right, moment, position, velocity_of(u[right - 1]), velocity_of(u[right])};
-}
-Trio::Velocities Trio::places_seen(const Shape& s, const Stepping::Start& from, const Ball& moment,
-                                   std::int64_t collisions) const {
-  const auto& [V, W, d_A, d_B] = from;
-  const std::int64_t j = collisions - 1;
-  const auto at = value_of_form(generated::at_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B,
-                                moment, j, turn(j), power_of(s, j));
-  return {at.A_at, at.C_at, j == 0 ? Ball(0) : Ball(at.B_at)};  // B was not met
-}
-Trio::Velocities Trio::seen(const Shape& s, std::int64_t collisions) const {
+Trio::Velocities Trio::seen(const Shape& s, std::int64_t j) const {
   const auto [V, W, d_A, d_B] = start();
-  if (collisions == 0) return {V + W, W, 0};
-  Velocities all = places_seen(s, {V, W, 0, 0}, 1, collisions);  // any_start.linear
+  Velocities all = places_seen(s, swing_of(s, j), {V, W, 0, 0}, 1);  // any_start.linear
   const auto& N = at_threshold_;
   if (N && *N % 2 == 0) {  // magic.velocities
-    if (collisions >= *N - 1) all[0] = 0;
-    if (collisions == *N) all = {0, 0, V};
+    if (j >= *N - 2) all[0] = 0;
+    if (j == *N - 1) all = {0, 0, V};
   }
   return all;
 }
 std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
-  const Velocities u = s.q_e > 0 ? seen(s, collisions) : stepped(s, collisions).velocities;
+  const auto [V, W, d_A, d_B] = start();
+  Velocities u{V + W, W, 0};
+  if (collisions > 0) u = seen(s, collisions - 1);
   std::vector<Ball> all;
   for (std::size_t i = 0; i < bodies(); ++i) all.push_back(velocity_of(u[i]));
   return all;
@@ -210,28 +237,25 @@ std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
   return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
-  if (s.q_e <= 0) return collision(stepped(s, j + 1));
-  if (j == 0) {
-    const Stepping first = stepped(s, 0);
-    return in_scene(0, first.time, first.place, seen(s, 1));
-  }
-  const auto [V, W, d_A, d_B] = start();
+  const FromB from = start();
+  const auto& [V, W, d_A, d_B] = from;
+  const Swing c = swing_of(s, j);
   const auto exact = exact_time(j);
-  const Ball moment =
-      exact ? ball_of(*exact)
-            : value_of_form(generated::time_restitution<Unguarded>, s, s.h_e, V, W, d_A, d_B, j)
-                  .moment;
-  return in_scene(j, moment, places_seen(s, {V, W, d_A, d_B}, moment, j + 1)[1], seen(s, j + 1));
+  const Ball time = exact ? ball_of(*exact) : j == 0 ? d_A / V : Ball(time_of(s, c, from).moment);
+  const std::size_t right = j % 2 == 0 ? 1 : 2;
+  Ball place = j == 0 ? W * time - d_B : places_seen(s, c, from, time)[1];
+  if (right == bodies()) place = 0;
+  const Velocities u = seen(s, j);
+  return {
+      j + 1, right, time, place_of(time, place), velocity_of(u[right - 1]), velocity_of(u[right])};
 }
 std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N) const {
-  const std::vector<Ball> v = velocities(s, N);
-  const std::int64_t last_of[]{N - 1 - (N - 1) % 2, N - 1, N - 1 - N % 2};  // of A, C, B
+  const FromB from = start();
+  const auto& [V, W, d_A, d_B] = from;
+  Velocities x{(V + W) * time - d_A - d_B, W * time - d_B, 0};
+  if (N > 0) x = places_seen(s, swing_of(s, N - 1), from, time);
   std::vector<Ball> all;
-  for (std::size_t i = 0; i < bodies(); ++i) {
-    const Collision c = collision(s, std::max<std::int64_t>(last_of[i], 0));
-    const bool was_met = i < 2 || N > 1;
-    all.push_back(was_met ? c.position + v[i] * (time - c.time) : place_of(time, 0));
-  }
+  for (std::size_t i = 0; i < bodies(); ++i) all.push_back(place_of(time, x[i]));
   return all;
 }
 Trio::Collision Trio::collapse(const Shape& s) const {

@@ -17,25 +17,22 @@ public:
   /// By default the ball touches A and rests before B, and V = L = 1.
   struct Start {
     std::vector<Value> masses;  ///< of A, C and B; no B: a wall
-    Quadratic e = 1;
+    Value e = value_of(1);
     Value V = value_of(1);                           ///< A approaches the ball
     Quadratic W_per_V = 0;                           ///< and the ball approaches B
     Value d_A = value_of(0), d_B = value_of(1);      ///< how wide the gaps are
     Value place = value_of(1), drift = value_of(0);  ///< of B or the wall, and its velocity
     int sign = 1;                                    ///< of these two, as in a mirror
   };
-  /// Nothing where A does not meet the ball first, and where B runs away from collisions that would
-  /// else never end.
+  /// Nothing where A does not meet the ball first, and where B runs away just so fast that they
+  /// never end, nor in time.
   static std::optional<Trio> of(const Start& start);
   /// Nothing for other bodies, too, and where differences of places or ratios of velocities are not
   /// known to be values.
   static std::optional<Trio> of(const Scene& scene, bool is_mirrored = false);
   /// Blocks of mass 1, a ball of mass alpha.
-  static Trio equal_blocks(const Value& alpha, const Quadratic& e);
+  static Trio equal_blocks(const Value& alpha, const Value& e);
 
-  /// Exactly, in units of V, at most one more than `largest_tie` of them; places mean nothing.
-  /// Masses must be exact. Throws std::domain_error for numbers of two fields.
-  simulator::InTurn<Quadratic> first_collisions() const;
   /// Whether ball and B do not move, seen from each other, before A comes.
   bool is_at_rest() const { return from_.W_per_V == 0; }
   /// How many collisions; nothing where they never end. Throws Undecided where more bits than are
@@ -50,20 +47,20 @@ public:
   struct Shape {
     Ball C;  ///< its mass, in other units
     Ball A, per_B, e, q_e;
-    Ball h_e = 0;  ///< where q_e is above 0
+    Ball h_e = 0, step_sine = 1;  ///< where q_e is above 0
+    Ball y_e = 1;                 ///< where it is below
   };
   Shape shape() const;
 
+  /// A approaches C, and C approaches B, which is at 0; how wide the gaps are at time 0.
+  struct FromB {
+    Ball V = 1, W = 0, d_A = 0, d_B = 1;
+  };
   using Collision = simulator::Collision<Ball>;
-  /// Collision j, from 0 on; where they never end, stepped.
+  /// Collision j, from 0 on.
   Collision collision(const Shape& s, std::int64_t j) const;
   /// When it takes place, where that is known exactly.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
-  /// The motion collision by collision, quicker than collision(), with a few bits lost.
-  using Stepping = simulator::InTurn<Ball>;
-  Stepping stepped(const Shape& s, std::int64_t collisions) const;
-  /// The last one that was stepped.
-  Collision collision(const Stepping& now) const;
   std::size_t bodies() const { return from_.masses.size(); }
   /// Velocities of all bodies after so many collisions.
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
@@ -80,25 +77,25 @@ private:
   /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
   /// for larger m.
   static constexpr std::int64_t largest_tie = 12;
+  /// Of collisions that end with B just as fast as what it would meet next; later ones are
+  /// undecided.
+  static constexpr std::int64_t longest_tie = 500;
   Start from_;
   std::optional<std::int64_t> at_threshold_;
 
+  /// Exactly, in units of V, at most one more than `most` of them. Nothing for numbers of two
+  /// fields, or of none.
+  std::optional<simulator::InTurn<Quadratic>> first_collisions(std::int64_t most) const;
   using Velocities = std::array<Ball, 3>;
-  Stepping::Start start() const;
-  /// Places at a time after so many collisions, of A, C and B, as seen from B before it is met.
-  Velocities places_seen(const Shape& s, const Stepping::Start& from, const Ball& moment,
-                         std::int64_t collisions) const;
-  /// Velocities, likewise.
-  Velocities seen(const Shape& s, std::int64_t collisions) const;
-  /// Whether theorems tell the end: by an angle, or by a collapse from which B does not run away.
-  /// False, too, where that is too close to tell.
+  FromB start() const;
+  /// Velocities after collision j, of A, C and B, as seen from B before it is met.
+  Velocities seen(const Shape& s, std::int64_t j) const;
+  /// Whether theorems tell the end. False, too, where that is too close to tell.
   bool has_told_end() const;
-  Collision in_scene(std::int64_t j, const Ball& moment, const Ball& place,
-                     const Velocities& u) const;
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const;
-  /// Of A and C, and 1 / that of B.
-  std::optional<std::array<Quadratic, 3>> exact_masses() const;
+  /// Of A and C, 1 / that of B, and e.
+  std::optional<std::array<Quadratic, 4>> exact_bodies() const;
   std::optional<Quadratic> exact_q_e() const;
   /// What is in a quadratic field is stepped: by Niven's theorem it is no large alpha_k.
   std::optional<std::int64_t> count_at_threshold() const;

@@ -60,7 +60,7 @@ std::optional<Trios> Trios::of(const std::vector<Value>& masses,
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
     const Quadratic L = x[ball + 1] - x[ball];
     const auto trio = Trio::of({.masses{masses[ball - 1], masses[ball], masses[ball + 1]},
-                                .e = line.restitution,
+                                .e{"", line.restitution},
                                 .V{"", v[0]},
                                 .d_A{"", x[ball] - x[0]},
                                 .d_B{"", L},
@@ -86,7 +86,7 @@ std::optional<Trios> Trios::off_wall(const std::vector<Value>& masses,
   const Quadratic faster = V + W + e * W;
   if (!(none < faster)) return {};
   const auto trio = Trio::of({.masses = masses,
-                              .e = e,
+                              .e{"", e},
                               .V{"", faster},
                               .W_per_V = none - e * W / faster,
                               .d_A{"", d_A + d_B + e * d_B},

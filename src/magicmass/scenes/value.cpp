@@ -67,7 +67,7 @@ bool is_float(std::string_view text) {
 double Value::to_double() const {
   if (const auto* at = ratio()) {
     const auto both = accurate::ratios(cln::cl_I_to_long(at->k));
-    return at->is_magic ? both.magic : both.deficient;
+    return (is_negative ? -1 : 1) * (at->is_magic ? both.magic : both.deficient);
   }
   if (const auto value = exact()->to_double()) return *value;
   throw Undecided((text.empty() ? "a place" : text.substr(0, 60)) +
@@ -79,13 +79,21 @@ Ball ball_of(const Value& value) {
   if (!ratio) return ball_of(*value.exact());
   const std::int64_t k = cln::cl_I_to_long(ratio->k);
   if (k > std::int64_t(1) << 50U) throw Undecided(value.text + " is answered here up to k = 2^50");
-  return ratio->is_magic ? generated::magic_closed<Ball>(k).alpha_
-                         : generated::deficient_closed<Ball>(k).beta_;
+  const Ball size = ratio->is_magic ? generated::magic_closed<Ball>(k).alpha_
+                                    : generated::deficient_closed<Ball>(k).beta_;
+  return value.is_negative ? -size : size;
+}
+
+Value negative(const Value& x) {
+  const std::string text = x.text.starts_with("-") ? x.text.substr(1) : "-" + x.text;
+  if (x.exact()) return {"", Quadratic(0) - *x.exact()};
+  return {text, x.number, !x.is_negative};
 }
 
 std::optional<Value> difference(const Value& x, const Value& y) try {
   if (x.exact() && y.exact()) return Value{"", *x.exact() - *y.exact()};
   if (y.is(0)) return x;
+  if (x.is(0)) return negative(y);
   return x.text == y.text ? std::optional(value_of(0)) : std::nullopt;
 } catch (const std::domain_error&) {
   return {};
@@ -94,6 +102,7 @@ std::optional<Value> difference(const Value& x, const Value& y) try {
 std::optional<Quadratic> quotient(const Value& x, const Value& y) try {
   if (x.is(0)) return Quadratic(0);
   if (x.exact() && y.exact()) return *x.exact() / *y.exact();
+  if (x.text == negative(y).text) return Quadratic(-1);
   return x.text == y.text ? std::optional(Quadratic(1)) : std::nullopt;
 } catch (const std::domain_error&) {
   return {};
@@ -103,6 +112,8 @@ Value read_value(std::string_view text) {
   if (text.size() > longest_text)
     refuse(std::to_string(text.size()) + " characters, at most " + std::to_string(longest_text));
   try {
+    if (text.starts_with("-magic:") || text.starts_with("-deficient:"))
+      return negative(read_value(text.substr(1)));
     if (text.starts_with("magic:") || text.starts_with("deficient:")) {
       Value value = value_of(notation::read_alpha(text));
       if (value.ratio() && value.ratio()->k > cln::ash(1, 50))

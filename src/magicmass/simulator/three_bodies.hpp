@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three bodies: the paper's line, stepped by the engine; and any whose collisions come in turn, in
-// numbers that need no order, such as balls.
+// Three bodies: the paper's line, stepped by the engine; and any whose collisions come in turn.
 #pragma once
 
 #include <array>
@@ -9,49 +8,32 @@
 
 namespace magicmass::simulator {
 
-/// A approaches C at V and C approaches B, or a wall, at W, as seen from B, which is at place 0. A
-/// and C collide first, then C and B, and so on, as long as there are collisions.
+/// Velocities of A, C and B, or a wall, as seen from B at the start: A approaches C at V, and C
+/// approaches B at W. A and C collide first, then C and B, and so on, as long as they collide.
 template <Numbers Scalar>
 struct InTurn {
-  std::array<Scalar, 3> velocities;  ///< of A, C and B
-  Scalar time, place;                ///< of the last collision; at first of the next one
+  std::array<Scalar, 3> velocities;
   std::int64_t collisions = 0;
 
-  /// Speeds, and how wide the gaps are at time 0.
-  struct Start {
-    Scalar V{1}, W{0}, d_A{0}, d_B{1};
-  };
   /// Masses of A and C, 1 / that of B, which is 0 for a wall, and restitution.
   InTurn(const Scalar& A, const Scalar& C, const Scalar& per_B, const Scalar& e,
-         const Start& start = {})
-      : velocities{start.V + start.W, start.W, 0},
-        time(start.d_A / start.V),
-        place(start.W * time - start.d_B),
-        law_{columns(A, C, e), columns(C * per_B, Scalar(1), e)},
-        open_(Scalar(0) - place) {}
+         const Scalar& V = 1, const Scalar& W = 0)
+      : velocities{V + W, W, 0}, law_{columns(A, C, e), columns(C * per_B, Scalar(1), e)} {}
 
   /// On to just after the next collision, which must exist.
   void step() {
-    const std::size_t left = collisions % 2 == 0 ? 0 : 1, right = left + 1, other = 2 * (1 - left);
-    auto& v = velocities;
-    if (collisions++ > 0) {
-      const Scalar wait = open_ / (v[left] - v[right]);
-      open_ = (other == 0 ? v[1] - v[0] : v[2] - v[1]) * wait;
-      place = place + v[1] * wait;
-      time = time + wait;
-    }
+    const std::size_t left = collisions++ % 2 == 0 ? 0 : 1;
     const auto& [of_left, of_right] = law_[left];
-    const Scalar u = v[left], w = v[right];
-    v[left] = of_left[0] * u + of_right[0] * w;
-    v[right] = of_left[1] * u + of_right[1] * w;
+    const Scalar u = velocities[left], w = velocities[left + 1];
+    velocities[left] = of_left[0] * u + of_right[0] * w;
+    velocities[left + 1] = of_left[1] * u + of_right[1] * w;
   }
 
 private:
   /// Velocities after a collision where only the left or the right one moved, at 1: the law is
-  /// linear, and errors that are only bounded grow least where it is applied as a matrix.
+  /// linear.
   using Columns = std::array<std::array<Scalar, 2>, 2>;
   std::array<Columns, 2> law_;
-  Scalar open_;  ///< at the last collision, how wide the other gap was
 
   static Columns columns(const Scalar& m1, const Scalar& m2, const Scalar& e) {
     Columns all;

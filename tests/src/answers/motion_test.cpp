@@ -111,7 +111,7 @@ TEST_CASE("tier exact is in fractions") {
     const auto& [a, b, c] = steps.v;
     const Row row = asked(alpha, e, "exact");
     const cl_RA values[]{a, b, c, b * b};
-    const Trio trio = Trio::equal_blocks(value_of(mass), *fraction_of(alpha_of(e)));
+    const Trio trio = Trio::equal_blocks(value_of(mass), value_of(alpha_of(e)));
     const Row near = rounded([&] { return answers::terminal(trio, steps.N); });
     for (std::size_t i = 0; i < 4; ++i) {
       CHECK(row[4 + i].text == kernel::digits(values[i]));
@@ -128,7 +128,7 @@ TEST_CASE("any masses, a wall, many collisions: the evaluator says what scenes s
     const double ball = std::exp2(-30 * number()),
                  per_B = std::exp2(std::floor(30 * number() - 15));
     const double e = row % 2 == 0 ? 1 : 1 - std::exp2(-30 * number());
-    Trio::Start start{{value_of(1), value_of(ball)}, magicmass::scenes::Quadratic(e)};
+    Trio::Start start{{value_of(1), value_of(ball)}, value_of(e)};
     if (!is_wall) start.masses.push_back(value_of(1 / per_B));
     const Trio trio = Trio::of(start).value();
     const auto N = trio.count();

@@ -150,21 +150,24 @@ TEMPLATE_TEST_CASE("matrices turn the velocities, and Lambda is Gamma_B Gamma_A 
 TEST_CASE("forms with restitution, whose values 10,000 scenes hold, answer in their domain alone") {
   for (const double e : {0.95, 0.04}) {
     const double q_e = near(shape_exact<cl_RA>(3, 0, codegen::exact(0.2), codegen::exact(e)).q_e);
-    const auto h_e = [&](double q) { return angle_restitution(3.0, 0.0, 0.2, e, q).h_e; };
+    const auto angle = [&](double q) { return angle_restitution(3.0, 0.0, 0.2, e, q); };
     const auto collapse = [&](double q, double W) {
       return collapse_restitution(3.0, 0.0, 0.2, e, q, 1.0, W, 0.5, 2.0);
     };
-    CHECK_THROWS_WITH(h_e(0.0), "angle_restitution: outside of the domain that its comment states");
+    CHECK_THROWS_WITH(angle(0.0),
+                      "angle_restitution: outside of the domain that its comment states");
     CHECK_THROWS_AS(collapse(0.1, -0.25), std::domain_error);
     if (e < 0.5) {
       CHECK_NOTHROW(collapse(q_e, -0.25));
       CHECK_THROWS_WITH(collapse(q_e, -9), ContainsSubstring("end_speed must be"));  // B runs away
       continue;
     }
+    const auto [h_e, unit] = angle(q_e);
     const auto time = [&](std::int64_t j) {
-      return time_restitution(3.0, 0.0, 0.2, e, q_e, h_e(q_e), 1.0, -0.25, 0.5, 2.0, j);
+      const auto [now, last] = sines_restitution(3.0, 0.0, 0.2, e, q_e, h_e, unit, j);
+      return time_restitution(3.0, 0.0, 0.2, e, unit, j, now, last, 1.0, -0.25, 0.5, 2.0);
     };
-    const double N = count_restitution(3.0, 0.0, 0.2, e, q_e, h_e(q_e), 1.0, -0.25).N_any;
+    const double N = count_restitution(3.0, 0.0, 0.2, e, q_e, h_e, unit, 1.0, -0.25).N_any;
     CHECK_NOTHROW(time(std::int64_t(N) - 1));
     CHECK_THROWS_AS(time(std::int64_t(N)), std::domain_error);
   }

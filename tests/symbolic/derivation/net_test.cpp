@@ -253,6 +253,11 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
       point[h.arg(h.size() - 2)] = (1 + x[0]) * centre - x[0] * x[3];
       point[h.arg(h.size() - 1)] = (1 + x[0]) * centre - x[0] * x[4];
     }
+    if (h.op() == Op::Eq && h.arg(0).op() == Op::Fun && h.arg(0).name() == "q_e") {
+      const std::vector<cl_R> x = values(h.arg(0), point);
+      const cl_R of_B = 4 * x[3] * (1 + x[1] * x[2]);
+      point[h.arg(0).arg(0)] = of_B * x[2] / ((1 + x[3]) * (1 + x[3]) - of_B);
+    }
     if (h.op() == Op::Eq && h.arg(0).op() == Op::Var && !free_variables(h.arg(1)).count(h.arg(0)))
       point[h.arg(0)] =
           h.arg(0).name().starts_with("o_") ? point[h.arg(0)] : value(h.arg(1), point);
