@@ -35,14 +35,12 @@ struct InUnit {
 };
 InUnit in_unit(Forms& forms) {
   const Exprs where = forms.domain + Exprs{lt(0, unit)};
-  const auto name = [&](const char* symbol, Expr value) {
+  const auto name = [&](const std::string& symbol, const char* words, Expr value) {
     forms.shared.push_back(forms.with({unit}, symbol, value, where));
-    return forms.shared.back();
+    return forms.book.show("def_" + symbol, words, under(where, forms.shared.back()));
   };
-  const Theorem now = name("now", unit * U(j)), last = name("last", unit * U_last(j));
-  const InUnit all{now, last, name("per_unit", root_power(j) / unit)};
-  forms.book.show("unit", "In any unit let", under(where, both({now, last, all.per_unit})));
-  return all;
+  return {name("now", "In any unit let", unit * U(j)), name("last", "and", unit * U_last(j)),
+          name("per_unit", "and", root_power(j) / unit)};
 }
 
 /// q_e = 1 - K, above 0 where collisions end; the time of the collapse where they do not.

@@ -122,12 +122,14 @@ void first_cycles(Book& book, const Theorems& names) {
                      rules + Theorems{after_1, at_cycle(names[3], 2)}));
   const Expr room_more = substitute(room, {{e, e_more}});
   const Known more({assume(lt(0, e)), assume(lt(e, e_more))});
-  rises(book, "rises_1", "With the first of these B's share of the energy, rho, rises with e,",
+  rises(book, "rises_1",
+        "Where e and e' both have two or three collisions the first of these is B's last velocity, "
+        "and its share of the energy, rho, rises,",
         after_1, 2 + e + e_more);
   know(assume(lt(0, room)));
   know(assume(lt(0, room_more)));
   rises(book, "rises_2",
-        "and with the second, where that collision takes place (for more collisions figures "
+        "and so it does with the second where both have four or five (for more collisions figures "
         "show it, but it is not proved):",
         after_2, (2 + e + e_more) * (room + room_more) + (1 + e) * e_more + (1 + e_more) * e);
 }

@@ -28,7 +28,7 @@ inline std::string list(const std::vector<std::string>& values) {
 }
 /// What a mirror shows of it.
 inline Scene mirrored(Scene scene) {
-  const auto turn = [](Value& x) { x = read_value("-(" + x.text + ")"); };
+  const auto turn = [](Value& x) { x = x.ratio() ? negative(x) : read_value("-(" + x.text + ")"); };
   for (auto* values : {&scene.masses, &scene.positions, &scene.velocities})
     std::ranges::reverse(*values);
   for (auto* values : {&scene.positions, &scene.velocities}) std::ranges::for_each(*values, turn);

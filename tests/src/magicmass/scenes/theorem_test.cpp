@@ -225,8 +225,9 @@ TEST_CASE("of a collapse those collisions are told whose times differ", "[exam]"
 }
 
 TEST_CASE("V and L are units: only ratios need a field of their own", "[check]") {
-  for (const std::string masses : {"alpha = 'magic:3'\n", "alpha = '1/7'\nrestitution = '7/8'\n",
-                                   "alpha = '1/9999'\n", "alpha = 1\nrestitution = '7/100'\n"})
+  for (const std::string masses :
+       {"alpha = 'magic:3'\n", "alpha = '1/7'\nrestitution = '7/8'\n", "alpha = '1/9999'\n",
+        "alpha = 1\nrestitution = '7/100'\n", "alpha = '1/90'\nrestitution = 'magic:3'\n"})
     for (const auto& [V, L] :
          {std::pair{"'sqrt(3)'", "'sqrt(2)'"}, {"'magic:5'", "'deficient:3'"}}) {
       INFO(masses << V << L);
@@ -236,6 +237,7 @@ TEST_CASE("V and L are units: only ratios need a field of their own", "[check]")
       const Result result = run(scene), unit = result_of(masses);
       REQUIRE(result.plan.model == "theorem");
       CHECK_FALSE(result.is_undecided);
+      check_mirrored(result, run(mirrored(scene)));
       CHECK((result.status == unit.status && result.counts == unit.counts));
       for (std::size_t i = 0; i < 3; ++i)
         CHECK_THAT(number(result.terminal[i]), WithinRel(v * number(unit.terminal[i]), 1e-15));
