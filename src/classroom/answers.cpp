@@ -50,10 +50,8 @@ std::optional<std::string> text_in(const std::string& folder, const std::string&
   return text;
 }
 
-/// The judgement as one text, and back.
 std::string packed(const Judgement& said) {
-  learn::Texts fields{std::to_string(static_cast<int>(said.mark)), said.feedback,
-                      said.misconception};
+  learn::Texts fields{std::to_string(int(said.mark)), said.feedback, said.misconception};
   fields.insert(fields.end(), said.notes.begin(), said.notes.end());
   return answers::joined(fields, std::string_view("\0", 1)) + '\0';
 }
@@ -78,14 +76,12 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
   };
   const host::End end = host::end_of(
       {"an answer"}, "", {.seconds = seconds, .file_bytes = 64U << 20U, .instead = judged});
-  if (end.is_late)
-    return {Mark::undecided, "It was not judged within " + std::to_string(seconds) + " s."};
-  if (end.code > host::of_signal)
-    return {Mark::undecided,
-            "Judging it crashed: signal " + std::to_string(end.code - host::of_signal) + "."};
-  if (end.code != 0 || end.output.empty())
-    return {Mark::undecided, "Its judge ended before it said anything."};
-  return unpacked(end.output);
+  if (end.code == 0 && !end.is_late && !end.output.empty()) return unpacked(end.output);
+  const std::string signal = std::to_string(end.code - host::of_signal);
+  return {Mark::undecided,
+          end.is_late ? "It was not judged within " + std::to_string(seconds) + " s."
+          : end.code > host::of_signal ? "Judging it crashed: signal " + signal + "."
+                                       : "Its judge ended before it said anything."};
 }
 
 constexpr std::size_t misses_without_hint = 2;
@@ -103,12 +99,11 @@ void keep(const learn::Texts& fields) {
   const std::filesystem::path path = memory();
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
-  const int file =
-      ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
-  if (file < 0) return;
+  const int fd = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
+  if (fd < 0) return;
   const std::string line = answers::joined(fields, "\t") + "\n";
-  [[maybe_unused]] const ssize_t ignored = ::write(file, line.data(), line.size());
-  ::close(file);
+  [[maybe_unused]] const ssize_t ignored = ::write(fd, line.data(), line.size());
+  ::close(fd);
 }
 
 bool is_miss(const std::string& verdict) {
@@ -189,8 +184,6 @@ void remember(const Exercise& e, Judgement& said) {
   said.feedback += " There are no more hints: magicmass learn solution " + e.id;
 }
 
-void remember_hint(const Exercise& e, std::size_t number) {
-  keep({e.id, "hint " + std::to_string(number)});
-}
+void remember_hint(const Exercise& e, std::size_t n) { keep({e.id, "hint " + std::to_string(n)}); }
 
 }  // namespace classroom

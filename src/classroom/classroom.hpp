@@ -31,11 +31,9 @@ std::optional<std::string> misnamed(const std::string& file, const std::vector<E
 std::optional<Judgement> judged_file(const Exercise& exercise, const std::string& folder,
                                      const learn::Run& run, unsigned seconds = 20);
 
-/// What is said to one answer.
 answers::Fields told(const Exercise& exercise, const Judgement& said);
 
-/// `learn grade CLASS [--only ID,ID] [--why or --summary]` of these exercises: in CLASS a folder
-/// for each student.
+/// `learn grade CLASS [--only ID,ID] [--why or --summary]`: in CLASS a folder for each student.
 answers::Answer grade(const answers::Request& request, const std::vector<Exercise>& all,
                       const learn::Run& run);
 /// The exercise of this name; refused where there is none, with the one that may be meant.
@@ -58,7 +56,6 @@ std::map<std::string, Attempts> attempts();
 /// Keeps what was said to an answer. From the third miss on, each adds to the feedback the next
 /// hint that was not shown yet, or else where the solution is.
 void remember(const Exercise& exercise, Judgement& said);
-/// Keeps that a hint, counted from 1, was shown.
 void remember_hint(const Exercise& exercise, std::size_t number);
 
 /// Compiles the answer with the exercise's driver and runs it with these inputs, once however often

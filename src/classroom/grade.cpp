@@ -15,8 +15,7 @@ bool is_letters(const std::string& text) {
   return !learn::matched(text, allowed).empty();
 }
 
-/// Text of others: in CSV no field begins as a formula of a spreadsheet does, nor would one where
-/// semicolons part fields.
+/// Text of others: in CSV no field begins as a spreadsheet's formula does, with ; between, too.
 answers::Cell cell_of(const answers::Request& request, std::string text) {
   if (request.format != "csv") return text_cell(text);
   if (text.find_first_of("=+-@") == 0) text.insert(0, "'");
@@ -75,8 +74,7 @@ answers::Answer grade(const answers::Request& request, const std::vector<Exercis
   std::map<std::pair<std::size_t, std::string>, int> had;  // by exercise and misconception
   for (const std::filesystem::path& student : students_of(request.words[1])) {
     const std::string name = student.filename();
-    const answers::Cell shown =
-        cell_of(request, is_letters(name) ? name : answers::shown_text(name));
+    const auto shown = cell_of(request, is_letters(name) ? name : answers::shown_text(name));
     answers::Row& row = marks.rows.emplace_back(answers::Row{shown});
     for (std::size_t i = 0; i < exercises.size(); ++i) {
       const std::optional<Judgement> said = judged_file(exercises[i], student, run);

@@ -17,9 +17,8 @@ using magicmass::scenes::text_of;
 std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
   std::map<std::string, std::string> texts;
   if (place.empty()) {
-    for (const auto& [name, text] : host::all_embedded())
-      if (name.find("/exercises/") != name.npos && name.ends_with(".toml"))
-        texts.emplace(name, text);
+    for (const auto& [name, is] : host::all_embedded())
+      if (name.find("/exercises/") != name.npos && name.ends_with(".toml")) texts.emplace(name, is);
   } else if (std::filesystem::is_directory(place)) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
       if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "scenes")
@@ -31,8 +30,7 @@ std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
   for (const auto& [source, text] : texts) {
     const Exercise e = learn::read_exercise(text, source, variant);
     for (const Exercise& other : all)
-      if (other.id == e.id)
-        throw InvalidInput(source + ": the id of " + other.source + " once more");
+      if (other.id == e.id) throw InvalidInput(source + ": the id of " + other.source + ", too");
     all.push_back(e);
   }
   if (all.empty()) throw InvalidInput("learn: no exercises in " + answers::shown_text(place));
@@ -49,7 +47,6 @@ Exercise exercise(const Request& request) {
   return named(exercises(request), request.words[1]);
 }
 
-/// A text as it is, or in a table where another format is asked for.
 Answer document(const Request& request, const Exercise& e, const std::string& text) {
   if (request.format == "text") return {{}, text + "\n"};
   return {one_row({{"id", text_cell(e.id)}, {"text", text_cell(text)}})};
@@ -86,8 +83,7 @@ Answer check(const Request& request) {
   const Exercise e = exercise(request);
   const bool is_file = request.has("file");
   if (request.words.size() != (is_file ? 2 : 3))
-    throw InvalidInput(
-        "learn check: give an ID and one answer, in quotation marks, or --file FILE");
+    throw InvalidInput("learn check: give an ID and one answer, in quotes, or --file FILE");
   const std::string text = is_file ? text_of(request.text("file")) : request.words[2];
   Judgement said = judge(e, text, run_code);
   remember(e, said);

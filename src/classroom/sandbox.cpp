@@ -32,7 +32,6 @@ std::string first_line(const std::string& text) {
   return answers::shown_text(text.substr(0, text.find('\n')), 160);
 }
 
-/// Structs and functions that the driver declares, on one line.
 std::string declared(const std::string& driver) {
   learn::Texts lines = learn::split(driver.substr(0, driver.find("void call(")), '\n');
   std::erase_if(lines, [](const std::string& line) { return line[0] == '#'; });
@@ -63,8 +62,7 @@ std::string first_error(const End& compiled, const std::string& folder, const st
     if (has("rror: ") ? line.starts_with("called.cpp")
                       : has("undefined reference") && expected.find(call) != expected.npos)
       return "this is expected: " + answers::shown_text(expected, 200);
-    if (has("multiple definition of `main'"))
-      return "leave out main: who calls the function has one";
+    if (has("multiple definition of `main'")) return "leave out main: the driver has one";
     learn::replace_all(line, folder + "/", "");
     return answers::shown_text(line, 200);
   }
@@ -81,7 +79,6 @@ std::string foreign_file(const std::string& list) {
   return {};
 }
 
-/// Why a program did not come to its end; "" where it did.
 std::string why_stopped(const End& end) {
   const bool had_no_memory = end.errors.find("bad_alloc") != end.errors.npos ||
                              end.errors.find("length_error") != end.errors.npos;
@@ -129,9 +126,8 @@ learn::Ran read_results(const End& end, const std::string& seal) {
 }
 
 /// From now on the system ends this process (SIGSYS) with whatever a statically linked program that
-/// computes does not ask for: it opens no file, starts no process, signals none, sees no network.
-/// It may set the limit `memory` and become `program`, by these very pointers. False where the
-/// system has no such filter.
+/// computes does not ask for: it opens no file, starts none, signals none, sees no network. It
+/// may set the limit `memory` and become `program`, by these pointers. False where no filter is.
 bool compute_only(const char* program, const rlimit* memory) {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
   bool is_good = filter != nullptr;
@@ -152,8 +148,8 @@ bool compute_only(const char* program, const rlimit* memory) {
                            "exit",          "exit_group"})
     rule(call);
   rule("read", {is(0, STDIN_FILENO)});
-  for (const char* call : {"write", "writev"})
-    rule(call, {{0, SCMP_CMP_LE, host::results_descriptor, 0}});
+  for (const auto* c : {"write", "writev"})
+    rule(c, {{0, SCMP_CMP_LE, host::results_descriptor, 0}});
   rule("prlimit64", {is(0, 0), is(2, 0)});  // asks, sets nothing
   rule("prlimit64", {is(0, 0), is(1, RLIMIT_AS), is(2, std::uint64_t(memory))});
   rule("tgkill", {is(0, std::uint64_t(::getpid()))});  // abort()
@@ -162,9 +158,8 @@ bool compute_only(const char* program, const rlimit* memory) {
   return is_good && seccomp_load(filter) == 0;  // the last call that we may make
 }
 
-/// From now on this process and what it starts read files of the system's programs and headers, and
-/// of the folder where they are: an assembler reads whatever it is told to. Where the kernel has no
-/// Landlock nothing is changed.
+/// From now on this process and what it starts read files of the system and of their folder alone:
+/// an assembler reads whatever it is told to. Without Landlock in the kernel nothing is changed.
 bool read_programs_only(const char*, const rlimit*) {
   constexpr std::uint64_t reading = LANDLOCK_ACCESS_FS_READ_FILE;
   landlock_ruleset_attr all{};

@@ -83,8 +83,7 @@ public:
         markdown += (in_code || is_fence ? line : expanded(line)) + "\n";
       }
       if (found != sections) throw InvalidInput("its sections (##) must be: " + sections);
-      if (!not_shown_.empty())
-        throw InvalidInput("never shown, though printed: " + *not_shown_.begin());
+      if (!not_shown_.empty()) throw InvalidInput("printed, never shown: " + *not_shown_.begin());
     } catch (const InvalidInput& error) {
       throw InvalidInput(chapter_.source + ":" + std::to_string(number) + ": " + error.what());
     }
@@ -108,8 +107,7 @@ private:
       const bool is_block = pieces_[i].starts_with("\n");
       const std::string stand_in = is_block ? "<p>" + mark(i) + "</p>" : mark(i);
       const std::size_t at = html.find(stand_in);
-      if (at == html.npos)
-        throw InvalidInput(chapter_.source + ": {{...}} in HTML, which is left out");
+      if (at == html.npos) throw InvalidInput(chapter_.source + ": {{...}} in HTML is left out");
       html.replace(at, stand_in.size(), pieces_[i]);
     }
     return html;
@@ -176,10 +174,9 @@ private:
         if (one.id == id) return one;
     throw InvalidInput("no theorem is called " + id);
   }
-  const std::string& found(const Texts& all, const std::string& name,
-                           const std::string& what) const {
-    const auto place = all.find(name);
-    if (place == all.end()) throw InvalidInput("no " + what + " is called " + name);
+  const std::string& found(const Texts& all, const std::string& id, const std::string& what) const {
+    const auto place = all.find(id);
+    if (place == all.end()) throw InvalidInput("no " + what + " is called " + id);
     return place->second;
   }
   std::string exercises() const {

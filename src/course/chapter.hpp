@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // A chapter of the course: a text around a program, and the page that is made of both.
-//
 // In the text, outside of code:
 //   {{name}}                  what the program printed under that name
 //   {{theorem:id}}            a theorem, {{left:id}} and {{right:id}} its sides; displayed where
@@ -34,14 +33,12 @@ struct Chapter {
   std::string session;  ///< "$ magicmass ...", then its output, and so on
   std::vector<learn::Exercise> exercises;
 };
-/// What the text may refer to besides.
 struct Surroundings {
   std::vector<render::Section> derivation;
   Texts chapters;  ///< name to title
   Texts figures;   ///< name to what is to be seen
 };
 
-/// Of a folder in tutorials.
 Chapter read_chapter(const std::filesystem::path& folder);
 std::set<std::filesystem::path> files_in(const std::filesystem::path& folder);
 /// Throws answers::InvalidInput, "FILE:1: ...", where the first line is not "# Title".
@@ -50,14 +47,12 @@ std::string title_of(const Chapter& chapter);
 /// answers::InvalidInput, "FILE:LINE: ...": for a name that nothing has, sections that are missing,
 /// a typed number, a claim without a theorem, a value or a command that is not shown.
 std::string chapter_html(const Chapter& chapter, const Surroundings& surroundings);
-/// A text without references.
 std::string html_of(const std::string& markdown);
 
 /// By name: "name: value", or "name:" above lines that begin with two blanks, a block, each of
 /// whose lines ends with \n; "# ..." is for the terminal alone. Throws answers::InvalidInput for
 /// any other line and for a name that is printed twice.
 Texts read_printed(const std::string& output);
-/// The commands of a session, and what each printed.
 Texts read_session(const std::string& session);
 /// A term in the derivation's notation, or the letter of a body, as MathML. Throws
 /// answers::InvalidInput for what cannot be read and for what claims something.
@@ -74,7 +69,6 @@ struct Page {
 };
 /// By name of file: a page a chapter, the first page and, to be printed, all of it on one page;
 /// derivation.html shows the proofs. They ask no network for anything.
-Texts files_of(const std::vector<Page>& chapters, const std::string& welcome,
-               const std::string& proofs);
+Texts files_of(const std::vector<Page>& pages, const std::string& top, const std::string& proofs);
 
 }  // namespace course

@@ -14,9 +14,8 @@ std::string formula_or_words(const std::string& text) {
   }
 }
 
-std::string link(const std::string& to, const std::string& words,
-                 const std::string& attributes = "") {
-  return "<a href=\"" + to + "\"" + attributes + ">" + words + "</a> ";
+std::string link(const std::string& to, const std::string& words, const std::string& more = "") {
+  return "<a href=\"" + to + "\"" + more + ">" + words + "</a> ";
 }
 std::string frame(const std::string& title, const std::string& top, const std::string& main,
                   const std::string& bottom = "") {
@@ -108,23 +107,22 @@ std::string code_html(const std::string& text, const std::string& attributes) {
   return "<pre tabindex=\"0\"" + attributes + "><code>" + html_text(text) + "</code></pre>";
 }
 
-Texts files_of(const std::vector<Page>& chapters, const std::string& welcome,
-               const std::string& proofs) {
+Texts files_of(const std::vector<Page>& pages, const std::string& top, const std::string& proofs) {
   const std::string title = "Magic mass ratios";
   const std::string contents = link("index.html", title);
   const std::string all_proofs = link("derivation.html", "All proofs");
   Texts files;
   std::string list, list_on_paper, all;
-  for (std::size_t i = 0; i < chapters.size(); ++i) {
-    const Page& page = chapters[i];
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const Page& page = pages[i];
     const std::string name = html_text(page.title);
     const std::string text = "<p class=\"place\">Chapter " + std::to_string(i + 1) + " of " +
-                             std::to_string(chapters.size()) + "</p>\n<h1 id=\"" + page.name +
-                             "\">" + name + "</h1>\n" + page.body;
+                             std::to_string(pages.size()) + "</p>\n<h1 id=\"" + page.name + "\">" +
+                             name + "</h1>\n" + page.body;
     const auto turn = [&](std::size_t to, const std::string& words, const std::string& attributes) {
-      return to >= chapters.size() ? ""
-                                   : link(chapters[to].name + ".html",
-                                          words + html_text(chapters[to].title), attributes);
+      return to >= pages.size()
+                 ? ""
+                 : link(pages[to].name + ".html", words + html_text(pages[to].title), attributes);
     };
     files[page.name + ".html"] =
         frame(page.title, contents + all_proofs, text,
@@ -135,7 +133,7 @@ Texts files_of(const std::vector<Page>& chapters, const std::string& welcome,
     list_on_paper += "<li>" + link("#" + page.name, name) + "</li>\n";
     all += "<section class=\"chapter\">\n" + text + "</section>\n";
   }
-  const std::string first = "<h1>" + title + "</h1>\n" + welcome + "<h2>Chapters</h2>\n<ol>\n";
+  const std::string first = "<h1>" + title + "</h1>\n" + top + "<h2>Chapters</h2>\n<ol>\n";
   files["index.html"] = frame(title, all_proofs, first + list + "</ol>\n");
   files["course.html"] = frame(title, "", first + list_on_paper + "</ol>\n" + all);
   files["derivation.html"] = frame("All proofs", contents, "<h1>All proofs</h1>\n" + proofs);

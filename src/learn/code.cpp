@@ -32,11 +32,10 @@ std::string text_of(double value) {
 
 /// "1/7", the nearest double; "above sqrt(5) - 2", the one after it.
 double input(const Terms& terms, const std::string& text) {
-  const bool is_above = text.starts_with("above "),
-             is_next = is_above || text.starts_with("below ");
-  const std::string exact = is_next ? text.substr(6) : text;
+  const bool above = text.starts_with("above "), next = above || text.starts_with("below ");
+  const std::string exact = next ? text.substr(6) : text;
   const double nearest = cln::double_approx(value_of(terms.in_full(terms.content(exact)), exact));
-  return is_next ? std::nextafter(nearest, is_above ? infinity : -infinity) : nearest;
+  return next ? std::nextafter(nearest, above ? infinity : -infinity) : nearest;
 }
 
 /// "8 ulp or 1e-15": how far a result may be off.
@@ -46,7 +45,7 @@ struct Within {
     const std::string number = "([0-9.]+(?:e-?[0-9]+)?)";
     const Texts part = matched(text, number + " ulp(?: or " + number + ")?|" + number);
     if (part.empty())
-      throw InvalidInput("within: allowed: \"4 ulp\", \"1e-15\" or \"4 ulp or 1e-15\"");
+      throw InvalidInput("within: allowed: \"4 ulp\", \"1e-15\", \"4 ulp or 1e-15\"");
     ulps = std::strtod(part[1].c_str(), nullptr);
     absolute = std::strtod((part[2] + part[3]).c_str(), nullptr);
   }
@@ -54,7 +53,6 @@ struct Within {
 
 const std::string own_results = "solution_code";
 
-/// The cases of an exercise: what goes in, and what should come out.
 struct Cases {
   Rows inputs = {};
   std::vector<std::vector<cl_RA>> expected = {};
@@ -148,11 +146,9 @@ Judgement judge_code(const Exercise& e, const std::string& code, const Run& run)
   Ran ran = run(e, code, cases.inputs);
   if (!ran.unread.empty()) return {Mark::unread, "Not compiled: " + ran.unread};
   const std::size_t done = std::min(ran.rows.size(), cases.inputs.size() - 1);
-  const auto is_whole = [&](const Numbers& row) { return row.size() == e.outputs.size(); };
-  const bool has_all =
-      ran.rows.size() == cases.inputs.size() && std::ranges::all_of(ran.rows, is_whole);
-  if (ran.stopped.empty() && !has_all)
-    ran.stopped = "it gave another number of results than is asked for";
+  const auto is_full = [&](const Numbers& row) { return row.size() == e.outputs.size(); };
+  const bool all = ran.rows.size() == cases.inputs.size() && std::ranges::all_of(ran.rows, is_full);
+  if (ran.stopped.empty() && !all) ran.stopped = "it gave too many or too few results";
   if (!ran.stopped.empty())
     return {Mark::wrong, place(e, done) + ran.stopped + (ran.stopped.ends_with('?') ? "" : ".")};
   const std::string different = difference(e, cases, ran.rows);

@@ -24,8 +24,7 @@ notation::Typed typed(const Terms& terms, const std::string& text, std::size_t l
     const notation::Typed read = terms.typed(text, notes);
     for (Expr side : {read.term, read.right ? read.right : read.term}) {
       if (kernel::is_matrix(side)) kernel::refuse("a matrix");
-      if (const std::string foreign = terms.foreign(side); !foreign.empty())
-        kernel::refuse(foreign);
+      if (const std::string other = terms.foreign(side); !other.empty()) kernel::refuse(other);
     }
     return read;
   } catch (const kernel::Refused& r) {
@@ -33,7 +32,6 @@ notation::Typed typed(const Terms& terms, const std::string& text, std::size_t l
   }
 }
 
-/// Of an equation that the exercise states.
 std::pair<Expr, Expr> both_sides(const Terms& terms, const std::string& equation) {
   const Texts sides = split(equation, '=');
   if (sides.size() != 2) throw InvalidInput(equation + ": an equation is expected");
@@ -49,8 +47,7 @@ public:
       truth_.emplace(unknowns_.back(), terms.from_step(step));
     }
     for (const std::string& law : terms.exercise.laws) laws_.push_back(content(law));
-    for (const std::string& term : terms.exercise.not_zero)
-      not_zero_.push_back(terms.content(term));
+    for (const auto& term : terms.exercise.not_zero) not_zero_.push_back(terms.content(term));
   }
   Expr content(const std::string& equation) const {
     const auto [left, right] = both_sides(terms_, equation);
@@ -133,8 +130,7 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
   Exprs differences;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const notation::Typed read = typed(terms, lines[i], i, notes);
-    if (!read.right)
-      kernel::refuse(line_name(i) + " is no equation; one = is expected in each line");
+    if (!read.right) kernel::refuse(line_name(i) + " is no equation; each line should have one =");
     all.emplace_back(read.term, read.right);
     differences.push_back(read.term - read.right);
   }
@@ -143,8 +139,7 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
     const std::span<const Expr> before(differences.data(), i);
     const std::string the_line = "Line " + std::to_string(i + 1);
     if (equations.is_zero(e))
-      return {Mark::incomplete,
-              the_line + " says nothing: both sides are the same for all velocities."};
+      return {Mark::incomplete, the_line + " says nothing: it holds for all velocities."};
     const Mark mark = equations.truth(e, i, notes);
     if (mark == Mark::undecided)
       return {mark, "It could not be decided whether " + line_name(i) + " is true."};

@@ -88,8 +88,7 @@ struct Reader {
   }
   /// Each key to the member of its name; `known` are read elsewhere.
   template <class Object>
-  void read_keys(const toml::table& table, Texts known, const std::string& where,
-                 Object& to) const {
+  void read_keys(const toml::table& table, Texts known, const std::string& in, Object& to) const {
     each_key(to, [&](const std::string& key, auto& member) {
       known.push_back(key);
       if (const toml::node* node = table.get(key)) read(key, *node, member);
@@ -97,7 +96,7 @@ struct Reader {
     for (const auto& [name, node] : table) {
       const std::string key(name.str());
       if (std::ranges::count(known, key) == 0)
-        refuse(node, "no such key" + where + ": " + answers::shown_text(key, 40) +
+        refuse(node, "no such key" + in + ": " + answers::shown_text(key, 40) +
                          meant(key, known, "; allowed: " + answers::joined(known)));
     }
   }
@@ -112,8 +111,8 @@ struct Reader {
     return code;
   }
   void check(const toml::table& file, const Exercise& e) const {
-    const auto need = [&](bool is_fine, const std::string& what) {
-      if (!is_fine) refuse(file, what);
+    const auto need = [&](bool fine, const std::string& what) {
+      if (!fine) refuse(file, what);
     };
     for (const char* key : {"id", "title", "chapter", "kind", "prompt"})
       need(file.contains(key), std::string(key) + " is missing");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An exercise: a file of TOML that a teacher edits. What is said to an answer: never a guess, and
-// of what was typed. Texts, cut and changed.
+// An exercise: TOML that a teacher edits. What is said to an answer: never a guess. Texts, cut.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +11,6 @@ namespace learn {
 using magicmass::scenes::meant;
 using Texts = std::vector<std::string>;
 
-/// Answers that are wrong for a known reason, and what is said to them.
 struct Misconception {
   std::string name;
   Texts answers;
@@ -61,7 +59,6 @@ Exercise read_exercise(std::string_view text, const std::string& source, std::si
 using Numbers = std::vector<double>;
 using Rows = std::vector<Numbers>;
 
-/// What a program did that is an answer.
 struct Ran {
   std::string unread = {};   ///< why it was not compiled
   std::string stopped = {};  ///< why it came no further: "it crashed"
@@ -82,18 +79,15 @@ struct Judgement {
 /// What is said to one answer; of kind code it is a program, which `run` runs.
 Judgement judge(const Exercise& exercise, const std::string& typed, const Run& run = {});
 
-/// What an answer may be, a line each: the choices; or its symbols, the name that it may be an
-/// equation for, its form; none of code.
+/// What an answer may be, a line each: choices; or symbols, the name asked for, its form; or none.
 Texts rules(const Exercise& exercise);
-/// The answer as it is shown.
 std::string own_answer(const Exercise& exercise);
 /// What is wrong with the exercise itself: its own answer is not right, it differs from what the
 /// program says, the answer of a misconception is not recognised, or a starter is not wrong.
 Texts faults(const Exercise& exercise, const Run& run = {});
 
-/// What stands between the separators.
 Texts fields(const std::string& text, char separator);
-/// The same without blanks around each, and without those that are empty.
+/// What stands between the separators, without blanks around it, and what is not empty.
 Texts split(const std::string& text, char separator);
 void replace_all(std::string& text, const std::string& what, const std::string& by);
 /// The text and the pattern's groups in it; empty where the pattern does not match all of it.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is said to an answer, and what it lacks of the form that is asked for: factored, one
-// fraction, and so on.
+// What is said to an answer, and what it lacks of the form that is asked for: factored, ...
 #include "equality/normal_form.hpp"
 #include "learn/terms.hpp"
 
@@ -63,16 +62,14 @@ std::pair<Expr, Expr> one_fraction(Expr e) {
   return {all_over, all_under};
 }
 
-/// Whether a sum is a product in disguise: 4*x, x*y + x, x^2 + 2*x + 1 or 1/x + 2 + x, but not
-/// 1 - x^2 or 1/x + 1/y.
+/// Whether a sum is a product: x*y + x, x^2 + 2*x + 1, 1/x + 2 + x, but not 1 - x^2 or 1/x + 1/y.
 bool hides_product(Expr e, const equality::Domain&) {
   if (e.op() != Op::Add) return false;
   const kernel::Polynomial terms = kernel::polynomial(one_fraction(e).first);
   for (const auto& [factor, times] : equality::factorized(terms))
     if (times > 1 || (factor.size() == 1 && !factor.begin()->first.empty())) return true;
   cln::cl_I common = 0;
-  for (const auto& [monomial, coefficient] : terms)
-    common = cln::gcd(common, cln::numerator(coefficient));
+  for (const auto& [monomial, q] : terms) common = cln::gcd(common, cln::numerator(q));
   return common > 1;
 }
 
@@ -105,8 +102,7 @@ const std::vector<Form> all_forms{
 
 const std::string happens = "Right: this is what happens.";
 
-/// Without a byte order mark, lines that begin with #, space around it or of LaTeX, and the = or
-/// the stop that a sentence has there.
+/// Without a byte order mark, lines that begin with #, outer space and LaTeX's, a first =, a stop.
 std::string plain(std::string text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   const auto blanks = [](const Texts& part) { return part[0] == "\\\\" ? part[0] : "  "; };
@@ -121,6 +117,8 @@ std::string plain(std::string text) {
   return text;
 }
 
+bool has_counts(Expr e) { return kernel::text(e).find("ceil(") != std::string::npos; }
+
 /// As a student would type it, where the exercise has names of what was run.
 std::string with_numbers(const Exercise& e, const std::string& text) {
   if (e.run.empty() || !e.choices.empty() || e.kind == "code") return text;
@@ -128,7 +126,6 @@ std::string with_numbers(const Exercise& e, const std::string& text) {
   return notation::typed_text(terms.in_full(terms.content(text)));
 }
 
-/// What lacks of the form that is asked for, of a term that is equal to the answer.
 Judgement judge_form(const Terms& terms, const std::string& text, Expr typed) {
   const std::string& form = terms.exercise.form;
   const auto lack = lacking(form, typed, terms.domain(notation::symbols_of(typed)));
@@ -171,10 +168,18 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
   if (!is_prediction && !kernel::is_matrix(given) && !kernel::is_matrix(expected) &&
       terms.are_equal(given, -expected))
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
+  const std::string closed =  // 1/(1+alpha) for 1/1+alpha
+      replaced(text, R"(/ *([\w.]+ *[-+] *[\w.]+))",
+               [](const Texts& part) { return "/(" + part[1] + ")"; });
+  const auto is_right = [&] {
+    Texts ignored;
+    return terms.are_equal(terms.in_full(terms.typed_for_name(closed, ignored)), expected);
+  };
+  if (closed != text && equality::is_proved(is_right))
+    said.feedback = "Parentheses are missing: it would be right as " + closed + ".";
   return terms.mistake(given, said.feedback);
 }
 
-/// Of what the program computes.
 bool are_true(const Terms& terms, const std::string& conditions) {
   for (const std::string& part : split(conditions, ','))
     for (const auto& [left, relation, right] : notation::read_comparisons(part)) {
@@ -185,7 +190,6 @@ bool are_true(const Terms& terms, const std::string& conditions) {
   return true;
 }
 
-/// The letter of the right one of the choices.
 char right_choice(const Exercise& e) {
   if (e.when.empty()) return e.answer.empty() ? '?' : e.answer[0];
   const Terms terms(e);
@@ -207,9 +211,7 @@ Judgement judge_choice(const Exercise& e, const std::string& text) {
     kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got " +
                    answers::shown_text(text));
   if (letter == right_choice(e)) return {Mark::right, happens};
-  const auto was_given = [&](const std::string& answer) {
-    return answer == std::string(1, letter);
-  };
+  const auto was_given = [&](const std::string& one) { return one == std::string(1, letter); };
   return mistake(e, was_given, "This is not what happens.");
 }
 
@@ -256,9 +258,8 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) {
 Judgement mistake(const Exercise& e,
                   const std::function<bool(const std::string& answer)>& was_given,
                   const std::string& otherwise) {
-  for (const Misconception& one : e.misconceptions)
-    if (std::ranges::any_of(one.answers, was_given))
-      return {Mark::wrong, one.feedback, {}, one.name};
+  for (const Misconception& m : e.misconceptions)
+    if (std::ranges::any_of(m.answers, was_given)) return {Mark::wrong, m.feedback, {}, m.name};
   return {Mark::wrong, otherwise};
 }
 
@@ -271,8 +272,8 @@ Texts rules(const Exercise& e) {
   if (e.symbols.empty()) lines[0] = "An answer is a number";
   for (const auto& [name, value] : e.values)
     if (e.symbols.empty()) lines[0] += "; " + name + " = " + value;
-  if (!e.name.empty() && e.kind != "derivation")
-    lines.push_back("It may begin with: " + e.name + " =");
+  const bool has_name = !e.name.empty() && e.kind != "derivation";
+  if (has_name) lines.push_back("It may begin with: " + e.name + " =");
   if (!e.form.empty()) lines.push_back("Form: " + e.form);
   return lines;
 }
@@ -307,8 +308,12 @@ Texts faults(const Exercise& e, const Run& run) {
       Exercise in_alpha = e;  // where psi and all other names have their meaning
       in_alpha.symbols.push_back("alpha");
       const Terms terms(in_alpha);
-      const Expr answer = terms.in_full(terms.answer());
-      const Judgement said = terms.compare(answer, terms.stated().value_or(answer));
+      const Expr name = terms.content(e.name), stated = terms.in_book(name);
+      const Expr answer = terms.in_book(terms.answer());
+      // 2*V/(2 + alpha) of b_t is true where the counts are what the prompt says.
+      const bool is_stated = stated != name && terms.foreign(stated).empty() &&
+                             (has_counts(answer) || !has_counts(stated));
+      const Judgement said = terms.compare(answer, is_stated ? stated : answer);
       need(said.mark != Mark::wrong, "its own answer, held against the book,", said);
     }
     for (const Misconception& one : e.misconceptions)

@@ -48,8 +48,7 @@ std::string difference(const equality::Counterexample& c) {
          (is_close ? ", apart by " + c.difference + "." : ".");
 }
 
-/// " at alpha = 1: why" where yours certainly has no value at more than one in `share` points where
-/// the right answer has one; else nothing.
+/// " at alpha = 1: why": yours has no value at more than one in `share` points, the answer has.
 std::string without_value(Expr given, Expr expected, const equality::Domain& domain, int share,
                           const kernel::Exprs& terms) {
   std::string first;
@@ -66,14 +65,14 @@ std::string without_value(Expr given, Expr expected, const equality::Domain& dom
 
 /// Of what is equal to the answer: wrong where it has no value on more than single points.
 Judgement with_gaps(Expr given, Expr expected, const equality::Domain& domain) {
-  using Need = equality::Requirement;
+  using equality::Requirement;
   Judgement said{Mark::right, ""};
-  const std::vector<Need> needed = equality::requirements(expected, domain);
-  const auto is_sure = [&](const Need& need) { return equality::is_certain(need, domain); };
-  for (const Need& need : equality::requirements(given, domain)) {
+  const std::vector<Requirement> needed = equality::requirements(expected, domain);
+  const auto is_sure = [&](const Requirement& need) { return equality::is_certain(need, domain); };
+  for (const Requirement& need : equality::requirements(given, domain)) {
     if (is_sure(need) || std::ranges::count(needed, need) > 0) continue;
-    const bool is_bound = need.kind != Need::Kind::NotZero;
-    const Need broken{Need::Kind::NotNegative, is_bound ? Expr(-1) * need.term : Expr(1)};
+    const bool is_bound = need.kind != equality::Need::NotZero;
+    const Requirement broken{equality::Need::NotNegative, is_bound ? -need.term : Expr(1)};
     const std::string why =
         without_value(given, expected, narrowed(domain, {broken}), points_tried + 1, {need.term});
     if (is_bound && !why.empty())
@@ -99,8 +98,7 @@ Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symb
 }
 
 notation::Typed Terms::typed(const std::string& text, Texts& notes) const {
-  if (std::count(text.begin(), text.end(), '=') > 1)
-    kernel::refuse("one equation is expected, with one =");
+  if (std::ranges::count(text, '=') > 1) kernel::refuse("one equation is expected, with one =");
   const bool is_column =
       exercise.kind == "symbolic" && kernel::is_matrix(answer()) && answer().cols() == 1;
   const notation::Typed read = notation::read_equation(text, symbols, is_column);
@@ -138,15 +136,23 @@ Expr Terms::from_step(const std::string& id) const {
   }
 }
 
-std::optional<Expr> Terms::stated() const {
-  static const std::map<std::string, std::string> steps{{"a_t", "terminal.a"},
-                                                        {"b_t", "terminal.b"},
-                                                        {"c_t", "terminal.definitions: c_t"},
-                                                        {"t_j", "encounters.when"}};
-  const Expr name = content(exercise.name);
-  const auto step = steps.find(exercise.name);
-  const Expr value = in_full(step == steps.end() ? name : from_step(step->second));
-  return value == name || !foreign(value).empty() ? std::optional<Expr>() : value;
+Expr Terms::in_book(Expr term) const {
+  static const std::vector<std::pair<std::string, std::string>> steps{
+      {"c_t", "terminal.definitions: c_t"},
+      {"rho", "evaluators_end.def_rho"},
+      {"a_t", "terminal.a"},
+      {"b_t", "terminal.b"},
+      {"t_j", "encounters.when"},
+      {"s_j", "encounters.apart"},
+      {"h", "evaluators_end.def_h"},
+      {"N_A", "counting.N_A"},
+      {"N_B", "counting.N_B"},
+      {"N", "counting.N"}};
+  for (const auto& [name, step] : steps)
+    if (notation::symbols_of(term).contains(name))
+      term = kernel::replace(term, notation::symbol(name), from_step(step));
+  const Expr psi = from_step("evaluators.psi");  // 4 half_h
+  return in_full(kernel::replace(term, psi.arg(1), notation::symbol("psi") / psi.arg(0)));
 }
 
 Expr Terms::answer() const {
@@ -176,9 +182,8 @@ std::string Terms::foreign(Expr term) const {
 
 Expr Terms::in_full(Expr term) const {
   // An angle stays an angle where nothing is said of the mass ratio.
-  Texts ignored;
-  if (symbols.contains("alpha") || !foreign(term).empty())
-    term = answers::with_meanings(term, ignored);
+  Texts how;
+  if (symbols.contains("alpha") || !foreign(term).empty()) term = answers::with_meanings(term, how);
   return kernel::substitute(term, values);
 }
 

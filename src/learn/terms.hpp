@@ -23,19 +23,16 @@ public:
   /// The answer: of the derivation's step, or typed by the teacher.
   Expr answer() const;
   Expr from_step(const std::string& id) const;
-  /// What the book says of the name that is asked for, in full, where the symbols do for it.
-  std::optional<Expr> stated() const;
+  /// In full, with what the book says of all names: a_t, t_j, N_A.
+  Expr in_book(Expr term) const;
   /// Names that an answer has no right to, "" where there are none: with what is allowed.
   std::string foreign(Expr term) const;
   Expr in_full(Expr term) const;  ///< with values and the meanings of the paper's names
-  /// Terms in full, numbers or matrices: right, wrong or undecided. "At alpha = 1 yours is 2; it
-  /// should be 3."
+  /// Terms in full: right, wrong or undecided. "At alpha = 1 yours is 2; it should be 3."
   Judgement compare(Expr given, Expr expected) const;
   bool are_equal(Expr a, Expr b) const { return compare(a, b).mark == Mark::right; }
-  /// What is said to a wrong term, in full.
   Judgement mistake(Expr given, const std::string& otherwise) const;
-  /// The least of what was typed that has this part of its term, where that is short and all ASCII;
-  /// else the part.
+  /// The least of what was typed that has this part, where that is short and ASCII; or the part.
   std::string quoted(const std::string& typed, Expr part) const;
   equality::Domain domain(const std::set<std::string>& symbols) const;
 
@@ -47,7 +44,6 @@ private:
   Judgement compare_numbers(Expr given, Expr expected) const;
 };
 
-/// The forms that an exercise may ask for.
 Texts forms();
 /// What a typed term lacks of a form: the part that has no place in it; why: " is a difference".
 struct Lack {

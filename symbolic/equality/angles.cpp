@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Inverse angles: 2 atan(x) and asin(2x/(1 + x^2)) are one angle up to whole turns, which one point
-// decides.
-#include <algorithm>
-
+// Inverse angles: 2 atan(x) and asin(2x/(1 + x^2)) are one angle up to turns: a point decides.
 #include "equality/normal_form.hpp"
 
 namespace equality {
@@ -11,7 +8,7 @@ constexpr int most_parts = 12;  // q of q (left - right), a whole number of turn
 
 void collect(Expr e, std::set<Expr>& angles) {
   for (Expr arg : e.args()) collect(arg, angles);
-  if (is_inverse_angle(e)) angles.insert(e);
+  if (is_arcus(e)) angles.insert(e);
 }
 // The denominator of all multiples of angles, 0 where there are none.
 int parts_of(const Sum& sum) {
@@ -19,10 +16,9 @@ int parts_of(const Sum& sum) {
   bool has_angles = false;
   for (const auto& [product, q] : sum) {
     if (product.size() != 1 || product.begin()->second != exponent(1)) continue;
-    const Expr atom = product.begin()->first;
-    has_angles = has_angles || is_inverse_angle(atom);
-    if (is_inverse_angle(atom) || atom == kernel::pi())
-      parts = cln::lcm(parts, cln::denominator(q));
+    const Expr e = product.begin()->first;
+    has_angles = has_angles || is_arcus(e);
+    if (is_arcus(e) || e == kernel::pi()) parts = cln::lcm(parts, cln::denominator(q));
   }
   return has_angles && parts <= most_parts ? cln::cl_I_to_int(parts) : 0;
 }
@@ -55,8 +51,7 @@ bool is_affine(Expr e, const Domain& box) {
     return box.ranges.contains(product) || kernel::free_variables(product).empty();
   });
 }
-// And of this kind, c + h from 0 on, c positive, h homogeneous, what has with each point the way to
-// 0: on it h is t^k times as large.
+// And of c + h, c positive, h homogeneous, what has with each point the way to 0.
 bool leads_to_0(Expr e, const Domain& box) {
   Forms forms(box);
   Sum constant;
@@ -76,7 +71,6 @@ bool leads_to_0(Expr e, const Domain& box) {
   }
   return degrees.size() == 1 && forms.is_positive(constant);
 }
-// The same domain for fewer symbols.
 Domain only(const Domain& domain, Expr e) {
   Domain out;
   for (Expr x : kernel::free_variables(e)) out.ranges[x] = domain.ranges.at(x);
@@ -92,7 +86,7 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
     std::vector<Requirement> shape = conditions(domain);
     const auto fits = [&](auto rule) {
       return [rule, &box](const Requirement& r) {
-        const bool has_two_sides = r.kind == Requirement::Kind::NotZero;
+        const bool has_two_sides = r.kind == Need::NotZero;
         return !has_two_sides && is_proved([&] { return rule(r.term, box); });
       };
     };

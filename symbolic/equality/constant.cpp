@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The bound of separation is that of Burnikel, Funke, Mehlhorn, Schirra and Schmitt (A Separation
-// Bound for Real Algebraic Expressions, Algorithmica 55, 2009): a value that is not 0 is at least
-// 1/(u^(D-1) l), where u and l bound the conjugates of a numerator and of a denominator, and D the
-// degree of the field.
+// Bound for Real Algebraic Expressions, Algorithmica 55, 2009): a value but 0 is at least
+// 1/(u^(D-1) l); u and l bound conjugates of a numerator and a denominator in a field of degree D.
 #include <numeric>
 
 #include "equality/normal_form.hpp"
 
 namespace equality {
-using kernel::Op;
 namespace {
 constexpr int first_bits = 128;
 constexpr int most_bits = 60000;
@@ -112,7 +110,6 @@ private:
     if (order == 2) return sqrt(value);
     return Ball(side) * exp(log(value) / Ball(order));
   }
-  // sqrt(4) is 2.
   std::optional<cln::cl_RA> whole_number(Expr e) {
     const auto near = near_fraction((*this)(e).low(), 1);
     return near && sign(e - Expr(*near)) == 0 ? near : std::nullopt;
@@ -148,9 +145,7 @@ struct Bounds {
   Bounds inverse() const { return {l, u}; }
   double u, l;
 };
-Bounds operator+(const Bounds& a, const Bounds& b) {
-  return {std::max(a.u + b.l, a.l + b.u) + 1, a.l + b.l};
-}
+Bounds operator+(Bounds a, Bounds b) { return {std::max(a.u + b.l, a.l + b.u) + 1, a.l + b.l}; }
 Bounds operator*(const Bounds& a, const Bounds& b) { return {a.u + b.u, a.l + b.l}; }
 Bounds power(const Bounds& base, int exponent) { return {base.u * exponent, base.l * exponent}; }
 
@@ -231,9 +226,8 @@ std::optional<cln::cl_RA> multiple_of_pi(Expr e) {
   try {
     const kernel::Polynomial p = kernel::polynomial(e);
     if (p.empty()) return cln::cl_RA(0);
-    const bool is_multiple =
-        p.size() == 1 && p.begin()->first == kernel::Monomial{{kernel::pi(), 1}};
-    return is_multiple ? std::optional(p.begin()->second) : std::nullopt;
+    const bool is_one = p.size() == 1 && p.begin()->first == kernel::Monomial{{kernel::pi(), 1}};
+    return is_one ? std::optional(p.begin()->second) : std::nullopt;
   } catch (const kernel::Refused&) {  // too long
     return {};
   }

@@ -1,24 +1,19 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-
-#include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
 
 namespace equality {
-using kernel::Op;
-using Need = Requirement::Kind;
+using notation::typed_text;
 namespace {
 constexpr std::size_t points_tried = 40;
 constexpr std::size_t points_inside = 10;
 constexpr std::size_t points_of_case = 4;
 constexpr std::size_t points_exactly = 3;
-constexpr int most_certified = 24;
 constexpr int digits_shown = 16;
 constexpr std::size_t longest_shown = 40;
 constexpr int largest_denominator = 1000;
+constexpr const char* no_difference = "normal form: the difference of both sides is 0";
 constexpr int most_cases = 30;  // integers that are put in one by one
 
-// Exactly where it is a short fraction.
 std::optional<cln::cl_RA> fraction(Expr constant) {
   if (const auto value = notation::rational_value(constant)) return value;
   const Value value = value_at({}, constant);
@@ -32,19 +27,12 @@ std::string shown(Expr constant) {
     if (digits.size() <= longest_shown) return digits;
   }
   for (int bits = 128; bits <= 8192; bits *= 2) {
-    const Value value = value_at({}, constant, bits);
-    if (!value.ball) continue;
-    if (const auto text = balls::decimal(value.ball->low(), value.ball->high(), digits_shown))
-      return *text;
+    const auto ball = value_at({}, constant, bits).ball;
+    if (!ball) continue;
+    if (const auto text = balls::decimal(ball->low(), ball->high(), digits_shown)) return *text;
   }
   return "too close to 0 to be shown";
 }
-std::string text(const Requirement& r) {
-  return notation::typed_text(r.term) + (r.kind == Need::NotZero       ? " != 0"
-                                         : r.kind == Need::NotNegative ? " >= 0"
-                                                                       : " > 0");
-}
-
 class Question {
 public:
   Question(Expr the_left, Expr the_right, const Domain& the_domain)
@@ -58,15 +46,15 @@ public:
     if (prove()) {
       verdict.answer = Answer::Equal;
       add_conditions();
-      if (given.empty()) certify();
+      if (given.empty()) verdict.theorem = certified(left, right, needs);
+      if (!verdict.theorem.empty()) verdict.proof += ", certified by the kernel";
       return verdict;
     }
     if (!is_different_exactly() && verdict.proof.empty())
       verdict.proof =
-          "neither a proof nor a counterexample was found; " +
-          (common.empty() ? "the values are too large, or take too many digits to know"
-                          : "both sides agree to 50 digits at " + std::to_string(common.size()) +
-                                (common.size() == 1 ? " point" : " points"));
+          "neither a proof nor a counterexample was found; both sides agree to 50 digits "
+          "at points: " +
+          std::to_string(common.size());
     return verdict;
   }
 
@@ -82,11 +70,11 @@ private:
 
   /// x = 2 and x + y = 1 are put in: in both sides, and in what else is said of x.
   bool put_in_a_value() {
-    for (const auto& [x, range] : domain.ranges)
-      if (range.is_point()) return put_in(x, range.low->value);
-    for (const auto& [l, relation, r] : domain.further)
+    for (const auto& [x, r] : domain.ranges)
+      if (r.is_point()) return put_in(x, r.low->value);
+    for (const auto& [l, sign, r] : domain.further)
       for (const auto& [x, range] : domain.ranges) {
-        const auto value = relation == "=" ? zero_of(l - r, x) : std::nullopt;
+        const auto value = sign == "=" ? zero_of(l - r, x) : std::nullopt;
         if (value && put_in(x, *value)) return true;
       }
     return false;
@@ -95,17 +83,14 @@ private:
     const Range range = domain.ranges.at(x);
     if (range.is_integer && !Forms(domain).is_integer(value)) return false;
     const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
-    given +=
-        (given.empty() ? "" : ", ") + notation::typed_text(x) + " = " + notation::typed_text(value);
-    if (range.low)
-      domain.further.push_back({x, range.low->is_inside ? ">=" : ">", range.low->value});
-    if (range.high)
-      domain.further.push_back({x, range.high->is_inside ? "<=" : "<", range.high->value});
+    given += (given.empty() ? "" : ", ") + typed_text(x) + " = " + typed_text(value);
+    const auto& [is_integer, low, high] = range;
+    if (low) domain.further.push_back({x, low->is_inside ? ">=" : ">", low->value});
+    if (high) domain.further.push_back({x, high->is_inside ? "<=" : "<", high->value});
     domain.ranges.erase(x);
     left = written(left);
     right = written(right);
-    for (notation::Comparison& c : domain.further)
-      c = {written(c.left), c.relation, written(c.right)};
+    for (auto& c : domain.further) c = {written(c.left), c.relation, written(c.right)};
     std::erase_if(domain.further, [](const auto& c) { return holds(c) == true; });
     return true;
   }
@@ -181,7 +166,7 @@ private:
     if (domain.ranges.empty() && exact_sign(difference) == 0)
       return proved(is_algebraic(difference)
                         ? "algebraic numbers: the difference is below the least that it could be"
-                        : "normal form: the difference of both sides is 0");
+                        : no_difference);
     if (is_same_form(right)) return true;
     const Expr other = with_one_angle(left, right, domain, common);
     if (other != right && is_same_form(other)) return true;
@@ -215,14 +200,13 @@ private:
     collect_turns(left - right, turns);
     for (Expr e : turns)
       if (is_proved_where(e, ">=", 0) && is_proved_where(e, "<=", 0)) {
-        const std::string name = notation::typed_text(e);
+        const std::string name = typed_text(e);
         return proved("cases: " + name + " >= 0 and " + name + " <= 0");
       }
-    for (const auto& [x, range] : domain.ranges) {
-      if (!range.is_integer) continue;
-      const std::string name = notation::typed_text(x);
-      if (range.low && range.high && is_proved_for_each(x, range))
-        return proved("cases: each " + name);
+    for (const auto& [x, r] : domain.ranges) {
+      if (!r.is_integer) continue;
+      const std::string name = typed_text(x);
+      if (r.low && r.high && is_proved_for_each(x, r)) return proved("cases: each " + name);
       const Expr half = kernel::integer("half_" + x.name());  // which nobody can type
       if (is_proved_where(x, "=", Expr(2) * half) &&
           is_proved_where(x, "=", Expr(2) * half + Expr(1)))
@@ -255,38 +239,32 @@ private:
   }
   /// (-1)^x has values only where x is whole.
   bool prove_at_whole_exponents() {
-    const auto found = power_of_negative(left - right);
-    if (!found) return false;
-    const std::set<Expr> symbols = kernel::free_variables(found->arg(1));
-    return std::ranges::any_of(symbols,
-                               [&](Expr x) { return prove_at_whole_exponent(x, found->arg(1)); });
-  }
-  bool prove_at_whole_exponent(Expr x, Expr exponent) {
-    Domain whole = domain;
-    whole.ranges[x].is_integer = true;
-    const std::string condition = " integer";
-    if (Forms(whole).is_integer(exponent)) {
-      if (!is_proved_on(whole)) return false;
-      verdict.conditions.push_back(notation::typed_text(x) + condition);
-      domain = whole;  // nothing else is asked of its bases
-      needs = requirements(left - right, domain);
-      return true;
+    const auto power = power_of_negative(left - right);
+    if (!power) return false;
+    const Expr exponent = power->arg(1);
+    Domain all = domain;
+    std::vector<std::string> how;
+    for (Expr x : kernel::free_variables(exponent))
+      if (!std::exchange(all.ranges[x].is_integer, true)) how.push_back(typed_text(x) + " integer");
+    if (!Forms(all).is_integer(exponent)) {
+      verdict.conditions = {typed_text(exponent) + " integer"};
+      return is_proved_where(exponent, "=", kernel::integer("whole_exponent"));
     }
-    const bool is_linear = is_proved_where(exponent, "=", kernel::integer("whole_exponent"));
-    if (is_linear) verdict.conditions.push_back(notation::typed_text(exponent) + condition);
-    return is_linear;
+    if (!is_proved_on(all)) return false;
+    verdict.conditions = how;
+    domain = all;  // nothing else is asked of its bases
+    needs = requirements(left - right, domain);
+    return true;
   }
   bool is_same_form(Expr other) {
     try {
       Forms forms(narrowed(narrowed(domain, needs), conditions(domain)));
       for (int pass = 0; pass < 2; ++pass) {  // a sign found late names earlier terms anew
         for (const Requirement& r : needs) forms.assume(r);
-        for (const Requirement& r : conditions(domain))
-          is_proved([&] { return forms.assume(r), true; });
+        for (const auto& r : conditions(domain)) is_proved([&] { return forms.assume(r), true; });
       }
       const Sum difference = forms.of(left) - forms.of(other);
-      if (forms.is_zero(difference))
-        return proved("normal form: the difference of both sides is 0");
+      if (forms.is_zero(difference)) return proved(no_difference);
       if (forms.is_zero(forms.of(notation::call("exp", left - other)) - number(1)))
         return proved("normal form: the exponential of the difference is 1");
       if (forms.is_not_negative(forms.of(left)) && forms.is_not_negative(forms.of(other)) &&
@@ -313,54 +291,25 @@ private:
       const bool is_weaker = r.kind == Need::NotNegative &&  // than another one, or whole exponents
                              (std::ranges::count(needs, Requirement{Need::Positive, r.term}) > 0 ||
                               is_certain({Need::Positive, Expr(-1) * r.term}, domain));
-      if (!is_weaker && !is_certain(r, domain) && seen.insert(text(r)).second)
-        verdict.conditions.push_back(text(r));
+      if (is_weaker || is_certain(r, domain) || !seen.insert(text(r)).second) continue;
+      verdict.conditions.push_back(text(r));
+      if (r.kind == Need::NotZero) note_gap(r.term);
     }
   }
-  static bool is_algebraic_term(Expr e) {
-    if (e.op() == Op::Num || e.op() == Op::Var) return true;
-    if (e.op() == Op::Fun && e.name() != "inv" && e.name() != "sqrt") return false;
-    return e.size() > 0 && std::ranges::all_of(e.args(), is_algebraic_term);
-  }
-  // Sums to high powers are names, for they are not multiplied out.
-  static void name_bases(Expr e, kernel::Substitution& names) {
-    const bool is_high = e.op() == Op::Pow && e.exponent() > most_certified;
-    if (is_high && e.arg(0).op() == Op::Add && names.size() < most_certified)
-      names.emplace(kernel::real("base_" + std::to_string(names.size())), e.arg(0));
-    for (Expr part : e.args()) name_bases(part, names);
-  }
-  // The kernel proves it again from its own rules, where both sides are built by +, *, / and roots.
-  void certify() {
-    if (!is_algebraic_term(left - right) || left.weight() + right.weight() > 400) return;
-    kernel::Substitution bases;
-    name_bases(left - right, bases);
-    const auto named = [&](Expr e) {
-      for (const auto& [name, base] : bases) e = kernel::replace(e, base, name);
-      return e;
-    };
-    const auto formula = [](Need kind, Expr e) {
-      return kind == Need::NotZero       ? kernel::neq(e, 0)
-             : kind == Need::NotNegative ? kernel::le(0, e)
-                                         : kernel::lt(0, e);
-    };
-    try {
-      algebra::Theorems facts;
-      for (const auto& [kind, term] : needs)
-        facts.push_back(kernel::assume(formula(kind, named(term))));
-      const algebra::Theorem theorem =
-          kernel::instantiate(algebra::equation(named(left), named(right), facts), bases);
-      std::string hypotheses;
-      for (Expr h : theorem.hypotheses()) {
-        const auto r = std::ranges::find_if(
-            needs, [&](const Requirement& need) { return h == formula(need.kind, need.term); });
-        if (r == needs.end()) return;  // a hypothesis that nobody is told of
-        hypotheses += (hypotheses.empty() ? "" : ", ") + text(*r);
+  /// Where a divisor is 0 at none of the points that were tried, as at x = sqrt(2).
+  void note_gap(Expr divisor) {
+    for (Expr x : kernel::free_variables(divisor))
+      for (Expr value : zeros_of(divisor, x)) {
+        if (is_case || domain.ranges.size() > 1 || !verdict.notes.empty()) return;
+        Domain part = domain;
+        part.further.push_back({x, "=", value});
+        is_proved([&] {
+          Question there(left, right, part);
+          is_proved([&] { return there.is_different_somewhere(); });
+          verdict.notes = there.verdict.notes;
+          return true;
+        });
       }
-      verdict.theorem = (hypotheses.empty() ? "" : hypotheses + " |- ") +
-                        notation::typed_text(left) + " = " + notation::typed_text(right);
-      verdict.proof += ", certified by the kernel";
-    } catch (const kernel::Refused&) {
-    }
   }
 };
 }  // namespace

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Constants: enclosed by balls, and their exact signs. Where two expressions are compared: a range
-// for each symbol, and further conditions.
+// Constants: balls and exact signs. Domains: a range for each symbol, and further conditions.
 #pragma once
 
 #include "balls/ball.hpp"
@@ -21,12 +20,10 @@ struct NotDefined : std::runtime_error {
 Ball enclosure(Expr constant, int bits);
 /// The same with the bits that balls have now, and values for symbols and for whole terms.
 Ball enclosure(Expr term, const std::map<Expr, Ball>& values);
-/// -1, 0 or 1, exactly; nothing where neither bits nor a bound of separation decide it. Algebraic
-/// numbers (roots, cosines and sines of rational multiples of pi) of up to 60,000 bits are decided.
-/// Throws NotDefined.
+/// -1, 0 or 1, exactly; nothing where neither bits nor a bound of separation decide it, as they do
+/// for what is_algebraic() and takes up to 60,000 bits. Throws NotDefined.
 std::optional<int> exact_sign(Expr constant);
-/// Whether it is built by +, *, quotients and roots from rationals and cosines and sines of
-/// rational multiples of pi.
+/// Built by +, *, quotients and roots from rationals and sines of rational multiples of pi.
 bool is_algebraic(Expr constant);
 /// The rational q with e = q pi, if e is written so.
 std::optional<cln::cl_RA> multiple_of_pi(Expr e);
@@ -43,7 +40,6 @@ struct Range {
   std::optional<End> low = {};   ///< none: minus infinity
   std::optional<End> high = {};  ///< none: infinity
 
-  /// What is below the end, or above it, no longer belongs to it.
   void cut_below(const End& end);
   void cut_above(const End& end);
   bool contains(const cln::cl_RA& value) const;
@@ -63,12 +59,10 @@ struct Domain {
 
 /// "0 < alpha <= 1, n integer, n >= 1, x real": with commas, each a comparison or a kind. What is
 /// said of a symbol replaces what is usual: alpha, V, L, M, m, M_A, M_B > 0, 0 < e <= 1, n, k >= 1
-/// and j >= 0 integers; other symbols are real. Refused (kernel::Refused): a condition on a symbol
-/// that is not in `symbols` (but for those that `symbols` could have), one that is empty.
-/// `unused`: what it says of absent symbols.
+/// and j >= 0 integers; other symbols are real. Refused (kernel::Refused): an empty condition.
+/// `unused`: what it says of symbols that are not in `symbols`, and how conditions were read.
 Domain read_domain(const std::string& text, const std::set<std::string>& symbols,
                    std::vector<std::string>& unused);
-/// One line a symbol, as read_domain reads them.
 std::vector<std::string> texts(const Domain& domain);
 
 /// Points of the domain, the simplest first; fewer than `count` where few are found. After the
@@ -78,11 +72,9 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
                           bool is_inside = false);
 /// Whether it is true of constants; nothing where that is not decided, or where symbols are left.
 std::optional<bool> holds(const notation::Comparison& comparison);
-/// The term with numbers for the symbols of the point.
 Expr at(const Point& point, Expr term);
 std::string text(const Point& point);  ///< "alpha = 1/2, n = 3"
 
-/// What a term is at a point.
 struct Value {
   std::optional<Ball> ball = {};  ///< nothing: no value, or not certain
   std::string why_none = {};      ///< where it is certain that there is none
@@ -94,7 +86,6 @@ Value value_at(const Point& point, Expr term, int bits = 192);
 // Are two expressions equal over the reals, wherever both have a value? Never a guess.
 enum class Answer { Equal, Different, Undecided };
 
-/// A point where both sides have a value, and the values differ.
 struct Counterexample {
   std::string point;  ///< "alpha = 1/2, n = 3"; "" for constants
   std::string left;   ///< "1/2", "0.7071067811865475"
@@ -111,8 +102,7 @@ struct Verdict {
   std::string theorem = {};  ///< what the kernel certified, for rational functions
 };
 /// Equal: proved wherever both sides have a value, but for isolated points. Different: at a point
-/// both values are certain, and differ. Refused (kernel::Refused): no point of the domain, or none
-/// where both sides have a value, was found.
+/// both values are certain, and differ. Refused (kernel::Refused): no such point was found.
 Verdict decide(Expr left, Expr right, const Domain& domain);
 const char* word(Answer answer);  ///< "equal", "different", "undecided"
 }  // namespace equality

@@ -6,7 +6,6 @@
 namespace equality {
 namespace {
 using kernel::Monomial;
-using kernel::Op;
 using kernel::Polynomial;
 constexpr std::size_t most_terms = 60;  // of a polynomial that GiNaC factors
 constexpr int highest_degree = 60;
@@ -31,7 +30,6 @@ cln::cl_RA coefficient(const Product& product, Expr atom, const Monomial& monomi
   const auto it = e.find(monomial);
   return it == e.end() ? cln::cl_RA(0) : it->second;
 }
-// By the variables that stand for them.
 std::map<Expr, Generator> generators(const Sum& sum) {
   std::set<std::pair<Expr, Monomial>> seen;
   for (const auto& [product, q] : sum)
@@ -60,7 +58,6 @@ int whole(const cln::cl_RA& q) {
   if (cln::abs(q) > 100000) throw TooLarge("an exponent above 100000");
   return cln::cl_I_to_int(cln::numerator(q));
 }
-// Content and sign taken out.
 cln::cl_RA content(const Sum& sum) {
   cln::cl_RA out = 0;
   for (const auto& [product, q] : sum) out = common_divisor(out, q);

@@ -2,10 +2,7 @@
 // From terms to normal forms.
 #include "equality/normal_form.hpp"
 
-#include <algorithm>
-
 namespace equality {
-using kernel::Op;
 namespace {
 constexpr int written_out = 4;          // powers of sums up to this one are multiplied out
 constexpr std::size_t most_surds = 16;  // of a denominator
@@ -24,18 +21,13 @@ std::vector<std::pair<Expr, int>> primes(cln::cl_I n) {
   return out;
 }
 void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
-  for (const auto& [p, times] : primes(cln::numerator(q)))
-    multiply(into, p, kernel::scaled(e, times));
-  for (const auto& [p, times] : primes(cln::denominator(q)))
-    multiply(into, p, kernel::scaled(e, -times));
+  for (const auto& [p, k] : primes(cln::numerator(q))) multiply(into, p, kernel::scaled(e, k));
+  for (const auto& [p, k] : primes(cln::denominator(q))) multiply(into, p, kernel::scaled(e, -k));
 }
-bool has_logarithm(Expr e) {
-  return is_call(e, "log") || std::ranges::any_of(e.args(), has_logarithm);
-}
-bool has_logarithm(const Sum& sum) {
+bool has_log(Expr e) { return is_call(e, "log") || std::ranges::any_of(e.args(), has_log); }
+bool has_log(const Sum& sum) {
   return std::ranges::any_of(sum, [](const auto& term) {
-    return std::ranges::any_of(term.first,
-                               [](const auto& power) { return has_logarithm(power.first); });
+    return std::ranges::any_of(term.first, [](const auto& p) { return has_log(p.first); });
   });
 }
 }  // namespace
@@ -100,7 +92,7 @@ Sum Forms::function(Expr term) {
     if (term.arg(0) == circle()) return reduced({{circle(), e}});
     const auto k = whole_number(e);
     if (k && std::abs(*k) <= 10000) return integer_power(x, *k);
-    if (has_logarithm(power) && is_positive(x))  // 2^(log(x)/log(2)) is x, x^log(y) is y^log(x)
+    if (has_log(power) && is_positive(x))  // 2^(log(x)/log(2)) is x, x^log(y) is y^log(x)
       return exponential(sum_of(multiplied(e, exponent_of(logarithm(x)))));
     return is_integer(e) ? symbolic_power(x, e) : real_power(x, e);
   }
@@ -248,7 +240,7 @@ Sum Forms::turned(const Sum& whole_angle) {
   Sum out = number(1);
   Product plain;
   for (const auto& [product, q] : divided(whole_angle)) {
-    const bool is_inverse = product.size() == 1 && is_inverse_angle(product.begin()->first) &&
+    const bool is_inverse = product.size() == 1 && is_arcus(product.begin()->first) &&
                             product.begin()->second == exponent(1);
     if (is_inverse && is_whole(2 * q) && cln::abs(q) <= most_multiples)
       out = times(out, turned_by_inverse(product.begin()->first, q));
@@ -281,21 +273,19 @@ Sum Forms::inverse_angle(const std::string& name, const Sum& sum) {
   if (sum.begin()->second < 0) return scaled(inverse_angle(name, scaled(sum, -1)), -1);
   const std::optional<Expr> real = real_expression(sum);
   const Expr x = real ? *real : expression(sum);
-  const auto call = [&](Expr e) {
-    return name == "atan" ? kernel::atan(e) : notation::call(name, e);
-  };
-  if (!real || !kernel::free_variables(x).empty() || !is_algebraic(x)) return atom(call(x));
+  const Expr angle = notation::call(name, x);
+  if (!real || !kernel::free_variables(x).empty() || !is_algebraic(x)) return atom(angle);
   if (exact_sign(x) == 0) return {};
   cln::cl_RA q = 0;
   const bool is_part_of_pi = is_proved([&] {
-    const Ball turns = enclosure(call(x) / kernel::pi(), 128);
+    const Ball turns = enclosure(angle / kernel::pi(), 128);
     const auto near = near_fraction(turns.low(), most_angle_parts);
     if (near) q = *near;
-    const Expr angle = Expr(q) * kernel::pi();
-    const Expr sine = name == "atan" ? x * kernel::cos(angle) : x;
-    return near && exact_sign(kernel::sin(angle) - sine) == 0;
+    const Expr part = Expr(q) * kernel::pi();
+    const Expr sine = name == "atan" ? x * kernel::cos(part) : x;
+    return near && exact_sign(kernel::sin(part) - sine) == 0;
   });
-  return is_part_of_pi ? scaled(atom(kernel::pi()), q) : atom(call(x));
+  return is_part_of_pi ? scaled(atom(kernel::pi()), q) : atom(angle);
 }
 bool Forms::is_whole_turns(const Sum& sum) { return is_zero(turned(sum) - number(1)); }
 }  // namespace equality

@@ -5,10 +5,14 @@
 // So e^(3x) e^-x, (xy)^n, log(27)/log(3) and cos(u)^2 + sin(u)^2 need no rule of their own.
 #pragma once
 
+#include <algorithm>
+#include <utility>
+
 #include "equality/decide.hpp"
 #include "kernel/polynomial.hpp"
 
 namespace equality {
+using kernel::Op;
 using Exponent = kernel::Polynomial;
 using Product = std::map<Expr, Exponent>;   ///< atom -> exponent, which is not 0
 using Sum = std::map<Product, cln::cl_RA>;  ///< no coefficient is 0
@@ -27,12 +31,11 @@ Exponent exponent(const cln::cl_RA& q);
 Exponent times_pi(const cln::cl_RA& q);
 Exponent exponent_in(const Product& product, Expr atom);  ///< 0 where it is absent
 cln::cl_RA constant_part(const Exponent& e);
-/// The exponent, if it is a number.
 std::optional<cln::cl_RA> number_of(const Exponent& e);
 std::optional<int> whole_number(const Exponent& e);
 bool is_whole(const cln::cl_RA& q);
 bool is_even(const cln::cl_RA& whole);
-bool is_inverse_angle(Expr e);
+bool is_arcus(Expr e);
 void multiply(Product& into, Expr atom, const Exponent& exponent);
 /// What cannot be computed is not proved.
 template <class Question>
@@ -50,21 +53,26 @@ struct TooLarge : std::runtime_error {
 };
 
 /// What a term needs to have a value.
+enum class Need { NotZero, NotNegative, Positive };
 struct Requirement {
-  enum class Kind { NotZero, NotNegative, Positive };
-  Kind kind;
+  Need kind;
   Expr term;
   bool operator==(const Requirement&) const = default;
 };
 /// Of the term and all of its parts, inner ones first, each once.
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
+std::string text(const Requirement& r);  ///< "x - 1 != 0"
+/// "x >= 0 |- sqrt(x)^2 = x", which the kernel proves from what the terms need; "" where that is
+/// not found, or not all of +, *, quotients and square roots.
+std::string certified(Expr left, Expr right, const std::vector<Requirement>& needs);
 /// Where a term is 0 that is linear in x, with a number as its coefficient.
 std::optional<Expr> zero_of(Expr term, Expr x);
+/// And where it may be 0, if it is quadratic in x, or has a sine or cosine of it.
+Exprs zeros_of(Expr term, Expr x);
 /// What holds where it says so of several symbols, or of one and an irrational number.
 std::vector<Requirement> conditions(const Domain& domain);
 
-/// The normal forms of terms on a domain. Whatever is said of a term holds where it is defined and
-/// the requirements hold that were assumed.
+/// Normal forms on a domain: what is said of a term holds where it is defined, as was assumed.
 class Forms {
 public:
   explicit Forms(Domain domain) : where(std::move(domain)) {}
@@ -75,11 +83,9 @@ public:
   bool is_zero(const Sum& sum);
   bool is_not_negative(const Sum& sum) { return has_sign(sum, 1, false); }
   bool is_positive(const Sum& sum) { return has_sign(sum, 1, true); }
-  /// Proved on the domain.
   bool holds(const Requirement& requirement);
   /// z^u - 1 for u = the sum: 0 where it is a multiple of 2 pi.
   bool is_whole_turns(const Sum& sum);
-  /// Whether the term is an integer all over the domain.
   bool is_integer(Expr term);
   Expr expression(const Sum& sum);
   /// The same where the sum is real, with cos(u) for z^u; else nothing. This alone is a term of
@@ -142,16 +148,10 @@ private:
   bool has_sign(const Sum& sum, int sign, bool strictly);
   // 2: positive, 1: not negative, 0: not known, -1 and -2 likewise
   int sign_of_atom(Expr atom);
-  int sign_of(const Sum& sum);
   int sign_of_powers(const Product& powers);
-  int sign_of_number(const Sum& sum);
-  int sign_of_composite(const Sum& sum);
-  int sign_by_terms(const Sum& sum);
-  int sign_by_shift(const Sum& sum);
-  int sign_of_two(const Sum& sum);
-  int sign_of_trigonometric(const Sum& sum);
-  int sign_of_cosine(const Sum& sum);
-  int sign_of_quadratic(const Sum& sum);
+  using Rule = int(const Sum& sum);
+  Rule sign_of, sign_of_composite, sign_of_number, sign_of_two, sign_of_trigonometric;
+  Rule sign_of_cosine, sign_of_quadratic, sign_by_terms, sign_by_shift;
 };
 
 /// Proved on the domain; false where that is not found out.
@@ -159,8 +159,7 @@ bool is_certain(const Requirement& requirement, const Domain& domain);
 /// The box made smaller by those requirements that bound one symbol: x >= 1 for sqrt(x - 1).
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs);
 bool is_zero_constant(Expr constant);
-/// The factors of a polynomial in its atoms, as GiNaC finds them, multiplied out again for a check.
-/// Throws TooLarge.
+/// Of a polynomial in its atoms, found by GiNaC, multiplied out again for a check. Throws TooLarge.
 std::vector<std::pair<kernel::Polynomial, int>> factorized(const kernel::Polynomial& p);
 
 /// left - right, a sum of multiples of inverse angles and of pi, is 0: a multiple of it is a whole

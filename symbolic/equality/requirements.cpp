@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What terms need to have a value, and what is known where that holds.
-#include <algorithm>
-
 #include "equality/normal_form.hpp"
 
 namespace equality {
-using kernel::Op;
-using Need = Requirement::Kind;
 
 bool is_certain(const Requirement& requirement, const Domain& domain) {
   return is_proved([&] { return Forms(domain).holds(requirement); });
@@ -65,6 +61,16 @@ std::optional<Expr> zero_of(Expr term, Expr x) {
     return true;
   });
   return value;
+}
+
+Exprs zeros_of(Expr term, Expr x) {
+  if (const auto zero = zero_of(term, x)) return {*zero};
+  const auto at = [&](int value) { return kernel::substitute(term, {{x, Expr(value)}}); };
+  const Expr c = at(0), b = (at(1) - at(-1)) / 2, a = (at(1) + at(-1)) / 2 - c;
+  Exprs out{kernel::pi() / 2, kernel::pi()};
+  for (Expr root : {-kernel::sqrt(b * b - 4 * a * c), kernel::sqrt(b * b - 4 * a * c)})
+    if (const auto zero = zero_of(2 * a * x + b - root, x)) out.push_back(*zero);
+  return out;
 }
 
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {

@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Whether a normal form is 0, and signs that are certain all over a domain.
-#include <algorithm>
-
 #include "equality/normal_form.hpp"
 
 namespace equality {
-using kernel::Op;
-using Need = Requirement::Kind;
 namespace {
 constexpr int deepest = 8;
 constexpr int highest_power = 3000;
@@ -41,8 +37,6 @@ std::map<Product, Sum> coefficients(const Sum& sum, const ConstantPart& constant
 }
 }  // namespace
 
-// Quotients are cleared, sums multiplied out, and what is left is a sum of numbers times different
-// functions, where each of the numbers must be 0.
 // The sum without its composite atoms, but for roots, to be multiplied by `divisor`.
 Sum Forms::expanded(Sum sum, Product* divisor) {
   for (;;) {
@@ -123,15 +117,15 @@ int Forms::sign_of_atom(Expr atom) {
   } else if (depth < deepest) {
     ++depth;
     if (is_call(atom, "log")) sign = sign_of(of(atom.arg(0)) - number(1));
-    if (is_inverse_angle(atom)) sign = sign_of(of(atom.arg(0)));
+    if (is_arcus(atom)) sign = sign_of(of(atom.arg(0)));
     --depth;
   }
   return std::abs(sign) == 1 && is_not_zero(atom) ? 2 * sign : sign;
 }
 
 int Forms::sign_of(const Sum& sum) {
-  for (int sign : {2, -2, 1, -1})
-    if (has_sign(sum, sign > 0 ? 1 : -1, std::abs(sign) == 2)) return sign;
+  for (int s : {2, -2, 1, -1})
+    if (has_sign(sum, s > 0 ? 1 : -1, std::abs(s) == 2)) return s;
   return 0;
 }
 int Forms::sign_of_powers(const Product& powers) {
@@ -171,10 +165,9 @@ int Forms::sign_of_composite(const Sum& sum) {
     return known->second.first;
   ++depth;
   int sign = 0;
-  for (int (Forms::*rule)(const Sum&) :
-       {&Forms::sign_by_terms, &Forms::sign_of_number, &Forms::sign_of_trigonometric,
-        &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_two,
-        &Forms::sign_of_quadratic})
+  for (Rule Forms::*rule : {&Forms::sign_by_terms, &Forms::sign_of_number,
+                            &Forms::sign_of_trigonometric, &Forms::sign_of_cosine,
+                            &Forms::sign_by_shift, &Forms::sign_of_two, &Forms::sign_of_quadratic})
     if (sign == 0) sign = (this->*rule)(sum);
   --depth;
   signs[sum] = {sign, depth};

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Sums of products of powers: arithmetic, and how they are written as terms again.
-#include <algorithm>
 #include <limits>
 
 #include "equality/normal_form.hpp"
 #include "kernel/names.hpp"
 
 namespace equality {
-using kernel::Op;
 namespace {
 constexpr std::size_t most_products = 200000;
 
@@ -19,6 +17,7 @@ void add(Sum& into, const Product& product, const cln::cl_RA& q) {
   if (it->second == 0) into.erase(it);
 }
 Expr raised(Expr base, const Exponent& e) {
+  if (e == exponent(cln::cl_RA(1) / 2)) return kernel::sqrt(base);
   return e == exponent(1) ? base : notation::raised(base, kernel::expression(e));
 }
 }  // namespace
@@ -47,9 +46,7 @@ Exponent exponent(const cln::cl_RA& q) {
   if (q == 0) return {};
   return {{kernel::Monomial(), q}};
 }
-Exponent times_pi(const cln::cl_RA& q) {
-  return kernel::scaled({{kernel::Monomial{{kernel::pi(), 1}}, 1}}, q);
-}
+Exponent times_pi(const cln::cl_RA& q) { return exponent(q) * kernel::polynomial(kernel::pi()); }
 Exponent exponent_in(const Product& product, Expr atom) {
   const auto it = product.find(atom);
   return it == product.end() ? Exponent() : it->second;
@@ -69,9 +66,7 @@ std::optional<int> whole_number(const Exponent& e) {
 }
 bool is_whole(const cln::cl_RA& q) { return cln::denominator(q) == 1; }
 bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(whole)); }
-bool is_inverse_angle(Expr e) {
-  return is_call(e, "atan") || is_call(e, "asin") || is_call(e, "acos");
-}
+bool is_arcus(Expr e) { return is_call(e, "atan") || is_call(e, "asin") || is_call(e, "acos"); }
 void multiply(Product& into, Expr atom, const Exponent& exponent) {
   Exponent& e = into[atom];
   e = e + exponent;
@@ -173,8 +168,8 @@ Sum Forms::conjugated(const Sum& sum) {
   return out;
 }
 
-bool Forms::is_integer(Expr term) {
-  return is_proved([&] { return is_integer(exponent_of(of(term))); });
+bool Forms::is_integer(Expr e) {
+  return is_proved([&] { return is_integer(exponent_of(of(e))); });
 }
 bool Forms::is_integer_symbol(Expr atom) const {
   const auto it = where.ranges.find(atom);

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Reads and prints the mass ratio.
 #include "notation/alpha.hpp"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
-
-#include <cln/integer_io.h>
 
 #include "notation/tokens.hpp"
 
@@ -72,8 +67,7 @@ std::optional<double> read_double(std::string_view text) {
   if (stop != end || error == std::errc::invalid_argument) return {};
   const std::string_view mantissa = text.substr(0, text.find_first_of(is_hex ? "pP" : "eE"));
   const bool is_zero = mantissa.find_first_not_of("0.") == mantissa.npos;
-  if (!is_zero && (error != std::errc() || value == 0))
-    value = std::numeric_limits<double>::infinity();
+  if (!is_zero && (error != std::errc() || value == 0)) value = HUGE_VAL;
   return is_negative ? -value : value;
 }
 Alpha read_alpha(std::string_view text) {

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <algorithm>
-#include <sstream>
-
-#include <cln/integer_io.h>
 
 #include "kernel/names.hpp"
 #include "notation/tokens.hpp"
@@ -14,7 +10,6 @@ namespace {
 constexpr int largest_exponent = 10000;
 constexpr std::size_t most_bits = 70000;
 
-// Each name, and what it is of x.
 const std::map<std::string, std::string>& definitions() {
   static const auto table = [] {
     std::map<std::string, std::string> all;
@@ -30,8 +25,7 @@ const std::map<std::string, std::string>& definitions() {
         "arcsin asin(x) arccos acos(x) arctan atan(x) arctg atan(x) tg tan(x) ctg cot(x) "
         "cosec csc(x) ln log(x) arsinh asinh(x) arcosh acosh(x) artanh atanh(x) "
         "arcsinh asinh(x) arccosh acosh(x) arctanh atanh(x)");
-    for (std::string other, definition; others >> other >> definition;)
-      all.emplace(other, definition);
+    for (std::string other, what; others >> other >> what;) all.emplace(other, what);
     return all;
   }();
   return table;
@@ -68,7 +62,7 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
   if (rounding.contains(word)) return word + ": there are no rounding functions here";
   const std::string unknown = "unknown function " + typed_text(symbol(word));
   if (word.size() == 1)
-    return unknown + "; write * for a product, and " + word + "_n for " + word + "(n)";
+    return unknown + "; write * for products, " + word + "_n for " + word + "(n)";
   std::string meant = alike(word, factors);
   std::string small = word;
   for (char& c : small) c = char(c | 0x20);
@@ -95,8 +89,7 @@ Expr sum_of(const Exprs& terms, std::size_t column) {
   const Expr first = terms[0];
   std::vector<Exprs> parts(first.size());
   for (Expr e : terms) {
-    if (is_matrix(e) != is_matrix(first))
-      refuse_at(column, "a matrix and a number cannot be added");
+    if (is_matrix(e) != is_matrix(first)) refuse_at(column, "a matrix and number cannot be added");
     if (e.rows() != first.rows() || e.cols() != first.cols())
       refuse_at(column, "matrices of different shapes");
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i].push_back(e.arg(i));
@@ -246,14 +239,12 @@ std::string parted(const std::string& word, const std::set<std::string>& names) 
 }
 std::set<std::string> symbols_of(Expr e) {
   std::set<std::string> out;
-  for (Expr v : free_variables(e))
-    if (const std::string name = name_of(v); !name.empty()) out.insert(name);
+  for (Expr v : free_variables(e)) out.insert(name_of(v));
+  out.erase("");
   return out;
 }
 Expr raised(Expr base, Expr exponent) { return apply("raised", {base, exponent}); }
-Expr root(int order, Expr x) {
-  return order == 2 ? kernel::sqrt(x) : apply("root", {x, Expr(order)});
-}
+Expr root(int order, Expr x) { return order == 2 ? sqrt(x) : apply("root", {x, Expr(order)}); }
 Expr call(const std::string& name, Expr x) { return apply(name, {x}); }
 std::string typed_text(Expr e) {
   std::vector<std::string> exponents;

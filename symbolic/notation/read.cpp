@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The reader: one function for each level of the printer.
-#include <algorithm>
 #include <deque>
-
-#include <cln/integer_io.h>
 
 #include "kernel/names.hpp"
 #include "notation/tokens.hpp"
@@ -12,7 +9,6 @@
 namespace notation {
 using namespace kernel;
 namespace {
-using Kind = Token::Kind;
 
 const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 const std::string digits = "0123456789";

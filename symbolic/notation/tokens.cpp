@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "notation/tokens.hpp"
 
-#include <algorithm>
 #include <bit>
 #include <cstdio>
-#include <sstream>
 
 namespace notation {
 namespace {
-using Kind = Token::Kind;
 using Characters = std::u32string_view;
 constexpr std::size_t longest = 20000;
 
@@ -20,7 +17,6 @@ bool is_blank(char32_t c) {
   return c == U' ' || c == U'\t' || c == U'\n' || c == U'\r' || c == 0xa0 || c == 0x202f ||
          (c >= 0x2000 && c <= 0x200d) || (c >= 0x205f && c <= 0x2064);
 }
-// Characters and what each of them stands for.
 struct Script {
   Characters characters, meanings;
   char32_t at(char32_t c, char32_t otherwise = 0) const {
@@ -98,9 +94,7 @@ private:
   bool latex = false;
   std::vector<Token> out;
 
-  char32_t peek(std::size_t ahead = 0) const {
-    return at + ahead < text.size() ? text[at + ahead] : U'\0';
-  }
+  char32_t peek(std::size_t ahead = 0) const { return text[std::min(at + ahead, text.size())]; }
   bool takes(Characters word) {
     const bool follows = Characters(text).substr(std::min(at, text.size())).starts_with(word);
     if (follows) at += word.size();
@@ -172,7 +166,6 @@ private:
     add(Kind::Number, word, column);
   }
 
-  // A Greek letter, or letters and digits.
   std::string plain_word() {
     const auto greek = greek_names().find(peek());
     if (greek == greek_names().end()) return run(is_plain);
@@ -237,7 +230,6 @@ private:
     spelled("^(" + word + ")", column);
   }
 
-  // A sign behind a backslash.
   void escaped(std::size_t column) {
     const char32_t c = peek();
     ++at;
@@ -250,17 +242,15 @@ private:
     spaced = true;
   }
   void command(std::size_t column) {
+    static const std::set<std::string> ignored{
+        "left", "right",        "big",          "Big",   "bigl",   "bigr",
+        "Bigl", "Bigr",         "quad",         "qquad", "text",   "mathrm",
+        "rm",   "operatorname", "displaystyle", "boxed", "mathbf", "mathit"};
     static const std::map<std::string, std::string> signs{
-        // "" is left out
-        {"cdot", "*"},        {"times", "*"},       {"ast", "*"},    {"div", "/"},
-        {"le", "<="},         {"leq", "<="},        {"ge", ">="},    {"geq", ">="},
-        {"ne", "!="},         {"neq", "!="},        {"lbrace", "("}, {"rbrace", ")"},
-        {"lvert", "|"},       {"rvert", "|"},       {"vert", "|"},   {"left", ""},
-        {"right", ""},        {"big", ""},          {"Big", ""},     {"bigl", ""},
-        {"bigr", ""},         {"Bigl", ""},         {"Bigr", ""},    {"quad", ""},
-        {"qquad", ""},        {"text", ""},         {"mathrm", ""},  {"rm", ""},
-        {"operatorname", ""}, {"displaystyle", ""}, {"boxed", ""},   {"mathbf", ""},
-        {"mathit", ""},       {"approx", "="}};
+        {"cdot", "*"},   {"times", "*"},  {"ast", "*"},   {"div", "/"},   {"le", "<="},
+        {"leq", "<="},   {"ge", ">="},    {"geq", ">="},  {"ne", "!="},   {"neq", "!="},
+        {"lbrace", "("}, {"rbrace", ")"}, {"lvert", "|"}, {"rvert", "|"}, {"vert", "|"},
+        {"top", "T"},    {"approx", "="}};
     std::string word = run(is_letter);
     latex = true;
     if (word.starts_with("var") && is_greek_name(word.substr(3))) word.erase(0, 3);
@@ -268,9 +258,10 @@ private:
     if (word == "frac" || word == "sqrt") return add(Kind::Command, word, column);
     if (word == "begin" || word == "end") return bracket(word, column);
     if (is_function(word) || is_greek_name(word)) return indexed_name(word, column);
-    const auto it = signs.find(word);
-    if (it == signs.end()) refuse_at(column, "unknown command \\" + word);
-    spelled(it->second, column);
+    if (const auto it = signs.find(word); it != signs.end())
+      spelled(it->second, column);
+    else if (!ignored.contains(word))
+      refuse_at(column, "unknown command \\" + word);
     spaced = true;
     const std::size_t end = at;
     const std::string inner = takes(U"{") ? run(is_plain) : "";  // \operatorname{sech}
@@ -297,6 +288,7 @@ private:
 
   void sign(char32_t c, std::size_t column) {
     if (c == U'&' && peek() == U'=') return;  // where equations are aligned
+    if (c == U'°') refuse_at(column, "angles are in radians; 180 degrees are pi");
     const bool is_two = (c == U'<' || c == U'>' || c == U'!') && takes(U"=");
     if (!is_two && Characters(U"+-*/^()[]{},;<>=|&").find(c) == Characters::npos)
       refuse_at(column, "unexpected character " + shown(c));

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What people type, cut into words: plain text, Unicode and LaTeX give the same words; and what
-// becomes of those.
+// What people type, cut into the same words from plain text, Unicode and LaTeX; what they become.
 #pragma once
 
+#include <algorithm>
+#include <sstream>
 #include <utility>
+
+#include <cln/integer_io.h>
 
 #include "kernel/expr.hpp"
 
@@ -18,6 +21,7 @@ struct Token {
   bool is_latex = false;   ///< it began with a backslash
   std::string typed = {};  ///< where it was changed: "M1" of M_1
 };
+using Kind = Token::Kind;
 /// A place among words, for readers that take one after the other.
 class Words {
 protected:

@@ -2,23 +2,20 @@
 // The reader of what people type: one function for each level of binding.
 #include "notation/typed.hpp"
 
-#include <algorithm>
-#include <sstream>
-
-#include "notation/tokens.hpp"
+#include "notation/readings.hpp"
 
 namespace notation {
 using namespace kernel;
 namespace {
-using Kind = Token::Kind;
 constexpr std::size_t npos = std::string::npos;
 const std::string wrong_comma =
-    "unexpected comma; decimals are written 0.5, matrices [[a, b], [c, d]]";
+    "unexpected comma; decimals are written 0.5, matrices [[a, b], [c, d]], "
+    "logarithms to another base log(x)/log(b)";
 
-class Parser : Words {
+class Parser : Readings {
 public:
   Parser(std::string_view text, const std::set<std::string>& the_factors, bool column, Expr of = {})
-      : Words(tokens(text)), factors(the_factors), is_column(column), x(of) {
+      : Readings(text, the_factors), is_column(column), x(of) {
     if (words.size() == 1) refuse("the expression is empty");
     part_names();
   }
@@ -29,47 +26,29 @@ public:
     expect_end();
     return {e, notes, right};
   }
-  std::vector<Comparison> comparisons() {
+  std::vector<Comparison> comparisons(std::vector<std::string>* said) {
     std::vector<Comparison> out;
     Expr left = sum();
     while (is_relation()) {
-      out.push_back({left, next().text, sum()});
+      const std::string relation = next().text;
+      const std::size_t from = place;
+      out.push_back({left, relation, sum()});
       left = out.back().right;
+      if (is_relation()) refuse_two_conditions(from);
     }
     if (out.empty()) refuse_here("a relation is missing, as in 0 < alpha");
     expect_end();
+    if (said) said->insert(said->end(), notes.begin(), notes.end());
     return out;
   }
 
 private:
-  const std::set<std::string>& factors;
   bool is_column;
   Expr x;  // in a function's definition
   int depth = 0;
   int bars = 0;
   std::size_t comma = 0;  // where the last one was
-  std::vector<std::string> notes;
 
-  [[noreturn]] void refuse_here(const std::string& why) const { refuse_at(now().column, why); }
-  bool is_relation() const {
-    return is("=") || is("<") || is(">") || is("<=") || is(">=") || is("!=");
-  }
-  // M_2u_2, as LaTeX has it, becomes two words: a power belongs to the last one.
-  void part_names() {
-    std::vector<Token> all;
-    for (Token word : words) {
-      std::string names = word.text.find('_') == npos ? "" : parted(word.text, factors);
-      if (names.find(' ') == npos) {
-        all.push_back(word);
-        continue;
-      }
-      note(word.text + " is read as " + names);
-      word.typed = "";
-      for (std::istringstream each(names); each >> word.text; word.is_spaced = true)
-        all.push_back(word);
-    }
-    words = all;
-  }
   void expect_end() const {
     if (now().kind == Kind::End) return;
     if (is(")") || is("}")) refuse_here("a ( is missing for this " + now().text);
@@ -82,9 +61,6 @@ private:
     const Expr e = (this->*part)();
     --depth;
     return e;
-  }
-  void note(const std::string& how) {
-    if (std::ranges::find(notes, how) == notes.end()) notes.push_back(how);
   }
   void close(const std::string& sign, std::size_t opened) {
     if (takes(sign)) return;
@@ -140,58 +116,36 @@ private:
         e = times(e, signed_factor(), sign.column);
       } else if (takes("/")) {
         slash = place - 1;
+        note_fraction_after_power();
         e = quotient(e, signed_factor(), sign.column);
       } else if (starts_factor()) {
         if (sign.kind == Kind::Number) refuse_here("an operator is missing before " + sign.text);
-        if (slash != 0 && !is_matrix_ahead()) read_after_slash(from, slash);
+        const std::size_t there = place;
+        const Expr factor = power();
+        if (slash != 0 && !is_matrix(factor)) read_after_slash(from, slash, there);
         slash = 0;
-        e = times(e, power(), now().column);
+        e = times(e, factor, now().column);
       } else {
         return e;
       }
     }
   }
-  // 1/2 M_1, L/V sin(...) and a/(b)^2 (c) have one usual reading; 1/2(1+alpha) and a/b c have two.
-  void read_after_slash(std::size_t from, std::size_t slash) {
-    const bool numbers = slash == from + 1 && place == slash + 2 &&
-                         words[from].kind == Kind::Number && words[slash + 1].kind == Kind::Number;
-    const std::size_t last = words[place - 2].text == "^" ? place - 3 : place - 1;
-    const bool brackets = words[slash + 1].text == "(" && words[last].text == ")";
-    if (!now().is_spaced || (!numbers && !brackets && !is_call_ahead()))
-      refuse_here("is " + now().text +
-                  " above or below the fraction line? write a * or parentheses");
-    const std::string left = typed(from, place);
-    note(left + " " + now().text + "... is read as (" + left + ")*" + now().text + "...");
-  }
-  // A matrix, which is never below a line.
-  bool is_matrix_ahead() const {
-    int open = 0;
-    for (std::size_t i = place; i < words.size(); ++i) {
-      const std::string& text = words[i].text;
-      if (open == 1 && (text == "," || text == ";" || (i == place + 1 && text == "["))) return true;
-      open += text == "(" || text == "[" ? 1 : text == ")" || text == "]" ? -1 : 0;
-      if (open == 0) return false;
-    }
-    return false;
-  }
-  bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
-
   Expr signed_factor() {
     bool minus = false;
     while (is("+") || is("-")) minus = minus != (next().text == "-");
     return minus ? negative(power()) : power();
   }
   Expr power() {
+    const std::size_t from = place;
     const Expr base = primary();
     const std::size_t column = now().column;
     if (!takes("^")) return base;
     const Expr exponent = nested(&Parser::signed_factor);
+    note_tower(from);
+    if (is_matrix(base) && exponent == symbol("T"))  // (a, b) is a column already
+      return words[from].text == "(" ? base : matrix(base.rows(), entries(transpose(base)));
     if (!free_variables(exponent).empty()) note_base(base);
     return raised_to(base, exponent, column);
-  }
-  void note_base(Expr e) {  // e^x, log(e)
-    if (name_of(e) == "e")
-      note("e is read as the coefficient of restitution; the exponential function is exp(x)");
   }
   Expr primary() { return nested(&Parser::operand); }
   // A number, a name, a function of something, or what is in brackets.
@@ -284,6 +238,7 @@ private:
     const Expr value = token.text == "root"   ? root_call(token)
                        : has_base(token.text) ? logarithm_to_base(token)
                                               : applied(token.text, argument(token));
+    if (token.text == "log") note("log is read as the natural logarithm");
     if (value == call("log", symbol("e"))) note_base(value.arg(0));
     return exponent ? raised_to(value, exponent, column) : value;
   }
@@ -351,7 +306,7 @@ Typed read_typed(std::string_view text, const std::set<std::string>& factors) {
 Typed read_equation(std::string_view text, const std::set<std::string>& factors, bool is_column) {
   return Parser(text, factors, is_column).whole(true);
 }
-std::vector<Comparison> read_comparisons(std::string_view text) {
-  return Parser(text, {}, false).comparisons();
+std::vector<Comparison> read_comparisons(std::string_view text, std::vector<std::string>* notes) {
+  return Parser(text, {}, false).comparisons(notes);
 }
 }  // namespace notation

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Reads terms, matrices and formulas as the kernel prints them, and what people type: plain text,
-// Unicode, LaTeX. There, whatever has two usual readings is refused with both of them, or read with
-// a note that says how.
+// Unicode, LaTeX. What has two usual readings is refused with both, or a note says how it was read.
 #pragma once
 
 #include <optional>
@@ -37,8 +36,8 @@ struct Comparison {
   std::string relation;  ///< "<", "<=", ">", ">=", "=" or "!="
   kernel::Expr right;
 };
-/// At least one.
-std::vector<Comparison> read_comparisons(std::string_view text);
+/// At least one; `notes`: how they were read.
+std::vector<Comparison> read_comparisons(std::string_view, std::vector<std::string>* notes = {});
 
 /// The variable that stands for a typed name: whatever the name means elsewhere, here it is a real
 /// number of which nothing is known. c'_n is called c_prime_n.

@@ -20,7 +20,6 @@
 
 namespace {
 
-/// Where all temporary files go, and none may stay.
 const host::TemporaryFolder place("sandbox");
 const bool is_set = ::setenv("TMPDIR", place.path.c_str(), 1) == 0;
 bool is_empty() { return is_set && std::filesystem::is_empty(place.path); }
@@ -66,8 +65,7 @@ struct Fifo {
 };
 }  // namespace
 
-TEST_CASE(
-    "A program is judged by what its function returns, an attack ends; nothing is left behind") {
+TEST_CASE("A program is judged by what its function returns, an attack ends; nothing is left") {
   auto rows = rows_of("src/classroom/attacks.tsv", 2);
   rows.push_back({"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"});
   for (learn::Texts& row : rows) {

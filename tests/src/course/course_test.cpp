@@ -37,8 +37,7 @@ TEST_CASE("a chapter becomes HTML in which all that is computed is marked; pages
 TEST_CASE("a text that would drift is refused, with its place") {
   for (const learn::Texts& row : rows_of("src/course/spoilt.tsv", 3)) {
     Chapter chapter = small;
-    for (std::string* text : {&chapter.text, &chapter.printed})
-      learn::replace_all(*text, row[0], row[1]);
+    for (std::string* t : {&chapter.text, &chapter.printed}) learn::replace_all(*t, row[0], row[1]);
     CAPTURE(row);
     CHECK_THAT(refusal<answers::InvalidInput>([&] { html(chapter); }), ContainsSubstring(row[2]));
   }

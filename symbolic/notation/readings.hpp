@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// Where what people type has two readings: it is refused with both, or a note says how it was read.
+#pragma once
+
+#include "notation/tokens.hpp"
+#include "notation/typed.hpp"
+
+namespace notation {
+class Readings : protected Words {
+protected:
+  Readings(std::string_view text, const std::set<std::string>& the_factors)
+      : Words(tokens(text)), factors(the_factors) {}
+  const std::set<std::string>& factors;
+  std::vector<std::string> notes;
+
+  [[noreturn]] void refuse_here(const std::string& why) const { refuse_at(now().column, why); }
+  bool is_relation() const {
+    return is("=") || is("<") || is(">") || is("<=") || is(">=") || is("!=");
+  }
+  void note(const std::string& how) {
+    if (std::ranges::count(notes, how) == 0) notes.push_back(how);
+  }
+  // M_2u_2, as LaTeX has it, becomes two words: a power belongs to the last one.
+  void part_names() {
+    std::vector<Token> all;
+    for (Token word : words) {
+      std::string names = word.text.find('_') == names.npos ? "" : parted(word.text, factors);
+      if (names.find(' ') == names.npos) {
+        all.push_back(word);
+        continue;
+      }
+      note(word.text + " is read as " + names);
+      word.typed = "";
+      for (std::istringstream each(names); each >> word.text; word.is_spaced = true)
+        all.push_back(word);
+    }
+    words = all;
+  }
+  // 1/2 M_1, L/V sin(...) and a/(b)^2 (c) have one usual reading; 1/2(1+alpha) and a/b c have two.
+  void read_after_slash(std::size_t from, std::size_t slash, std::size_t at) {
+    const bool numbers = slash == from + 1 && at == slash + 2 && words[from].kind == Kind::Number &&
+                         words[slash + 1].kind == Kind::Number;
+    const std::size_t last = words[at - 2].text == "^" ? at - 3 : at - 1;
+    const bool brackets = words[slash + 1].text == "(" && words[last].text == ")";
+    const Token& factor = words[at];
+    const bool is_call = factor.kind == Kind::Name && is_function(factor.text);
+    if (!factor.is_spaced || (!numbers && !brackets && !is_call))
+      refuse_at(factor.column, "is " + factor.text +
+                                   " above or below the fraction line? write a * or parentheses");
+    const std::string left = typed(from, at);
+    note(left + " " + factor.text + "... is read as (" + left + ")*" + factor.text + "...");
+  }
+  // x > 1 y > 2 and 0 < 2 x < 1: a product, or is a comma missing?
+  void refuse_two_conditions(std::size_t from) const {
+    for (std::size_t i = from + 1; i < place; ++i)
+      if (words[i].is_spaced && words[i].kind != Kind::Sign && words[i - 1].kind != Kind::Sign)
+        refuse_at(words[i].column,
+                  "two conditions or a product? write a comma or a * before " + words[i].text);
+  }
+  // Behind the slash of x^1/2 and x^3/2, but not of x^2/2.
+  void note_fraction_after_power() {
+    if (place < 4 || words[place - 3].text != "^") return;
+    const Token &above = words[place - 2], &below = now();
+    if (!is_whole(above.text) || !is_whole(below.text) || number_of(below) == 0) return;
+    if (cln::denominator(number_of(above) / number_of(below)) == 1) return;
+    const std::string fraction = above.text + "/" + below.text;
+    note("^" + fraction + " is read as (...^" + above.text + ")/" + below.text + ", not as ^(" +
+         fraction + ")");
+  }
+  // The exponent that ends here, where what it is of is itself one: x^y^z.
+  void note_tower(std::size_t from) {
+    if (from > 1 && words[from - 1].text == "^")
+      note(typed(from - 1, place) + " is read as ^(" + typed(from, place) + ")");
+  }
+  bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
+
+  void note_base(Expr e) {  // e^x, log(e)
+    if (name_of(e) == "e")
+      note("e is read as the coefficient of restitution; the exponential function is exp(x)");
+  }
+};
+}  // namespace notation
