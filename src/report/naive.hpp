@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The paper's formulas typed by hand, as anybody would who needs the numbers, V = 1: the baseline
-// of all ratios, and known to be bad near thresholds. Nothing but the report may call this.
+// of ratios, in the benchmark, too; known to be bad near thresholds. Nobody else may call this.
 #pragma once
 
 #include <cmath>

@@ -29,7 +29,7 @@ public:
   static F times_sign_of(const F& x, const F& y) { return (-y).is_positive() ? -x : x; }
 
   static F turn(const F& n) { return F::to_whole(n) % 2 == 0 ? 1.0 : -1.0; }
-  /// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-200 down that.
+  /// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-480 down that.
   friend F power(F x, const F& n) {
     const auto times_or_least = [](const F& a, const F& b) {
       const F product = a * b;

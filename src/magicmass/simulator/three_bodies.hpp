@@ -18,32 +18,21 @@ struct InTurn {
   /// Masses of A and C, 1 / that of B, which is 0 for a wall, and restitution.
   InTurn(const Scalar& A, const Scalar& C, const Scalar& per_B, const Scalar& e,
          const Scalar& V = 1, const Scalar& W = 0)
-      : velocities{V + W, W, 0}, law_{columns(A, C, e), columns(C * per_B, Scalar(1), e)} {}
+      : velocities{V + W, W, 0}, masses_{{{A, C}, {C * per_B, 1}}}, e_(e) {}
 
   /// On to just after the next collision, which must exist.
   void step() {
     const std::size_t left = collisions++ % 2 == 0 ? 0 : 1;
-    const auto& [of_left, of_right] = law_[left];
-    const Scalar u = velocities[left], w = velocities[left + 1];
-    velocities[left] = of_left[0] * u + of_right[0] * w;
-    velocities[left + 1] = of_left[1] * u + of_right[1] * w;
+    Body<Scalar> one{masses_[left][0], 0, velocities[left]};
+    Body<Scalar> other{masses_[left][1], 0, velocities[left + 1]};
+    collide(one, other, e_);
+    velocities[left] = one.velocity;
+    velocities[left + 1] = other.velocity;
   }
 
 private:
-  /// Velocities after a collision where only the left or the right one moved, at 1: the law is
-  /// linear.
-  using Columns = std::array<std::array<Scalar, 2>, 2>;
-  std::array<Columns, 2> law_;
-
-  static Columns columns(const Scalar& m1, const Scalar& m2, const Scalar& e) {
-    Columns all;
-    for (const int i : {0, 1}) {
-      Body<Scalar> left{m1, 0, 1 - i}, right{m2, 0, i};
-      collide(left, right, e);
-      all[static_cast<std::size_t>(i)] = {left.velocity, right.velocity};
-    }
-    return all;
-  }
+  std::array<std::array<Scalar, 2>, 2> masses_;  // of both that collide, in any unit
+  Scalar e_;
 };
 
 /// The motion of block A, ball C and block B from left to right. In floating point errors add up

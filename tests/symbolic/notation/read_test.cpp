@@ -121,11 +121,7 @@ std::string reading(const std::string& typed) {
   const Typed read = read_typed(typed);
   if (read.term.sort() != kernel::Sort::Matrix) return typed_text(read.term);
   std::string out;
-<<<<<<< HEAD
   for (Expr e : entries(read.term)) out += (out.empty() ? "" : "; ") + typed_text(e);
-=======
-  for (Expr e : kernel::entries(read.term)) out += (out.empty() ? "" : "; ") + typed_text(e);
->>>>>>> 6a3e1ea4 (Two readings are noted or refused, gaps at irrational points said, nested radicals certified; teachers' formulas held against the book)
   return out;
 }
 std::string refused(const std::string& typed) {

@@ -3,6 +3,7 @@
 // and the least and largest ratio of the runs, in each of which both are timed side by side.
 #include <chrono>
 
+#include "report/naive.hpp"
 #include "src/magicmass/numbers/families.hpp"
 #include "src/magicmass/numbers/tiers.hpp"
 
@@ -12,9 +13,9 @@ using namespace magicmass;
 // No multiple of 512: else all columns would fall on the same places of the cache.
 constexpr std::size_t rows = 3840;
 constexpr int passes = 200;
-constexpr double pi = 3.14159265358979323846;
 
-/// The paper's formulas typed in, V = 1: the baseline, not to be trusted near thresholds.
+/// The paper's formulas typed in, V = 1: the baseline, not to be trusted near thresholds. This one
+/// shares its trigonometry.
 [[gnu::noinline]] Velocities naive_velocities(double alpha, std::int64_t n) {
   const double psi = 2 * std::atan(std::sqrt(alpha * (2 + alpha)));
   const double V = 1 / (2 + alpha);
@@ -24,15 +25,7 @@ constexpr double pi = 3.14159265358979323846;
           V * (1 - (1 + alpha) * std::cos((k + 0.5) * psi)),
           V * (1 + r * std::sin((k - 0.25) * psi)), V * (1 - r * std::sin((k + 0.25) * psi))};
 }
-[[gnu::noinline]] std::optional<Terminal> naive_terminal(double alpha) {
-  const double psi = 2 * std::atan(std::sqrt(alpha * (2 + alpha)));
-  const double V = 1 / (2 + alpha);
-  const double N_A = std::ceil(pi / psi - 0.5);
-  const double N_B = std::ceil(pi / psi - 1);
-  const double a = V * (1 + (1 + alpha) * std::cos(N_A * psi));
-  const double b = V * (1 - (1 + alpha) * std::cos((N_B + 0.5) * psi));
-  return Terminal{{std::int64_t(N_A), std::int64_t(N_B)}, a, b, (1 - a - b) / alpha, b * b};
-}
+[[gnu::noinline]] Terminal naive_terminal(double alpha) { return report::naive::terminal(alpha); }
 
 struct Data : testing::Table {
   double sum = 0;  // keeps results alive
