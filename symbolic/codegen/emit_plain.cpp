@@ -145,12 +145,13 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
     e.header +=
         "/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
         joined(ceilings, ", ") + ".\n";
-  e.header += "template <class Number> requires(!std::" +
-              std::string(is_exact ? "is_arithmetic_v<Number>)\n"
-                                   : "integral<Number> && !std::same_as<Number, float>)\n") +
-              (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
-                         : structure + "<Number>") +
-              " " + name + "(" + joined(parameters, ", ") + ") {\n";
+  e.header +=
+      "template <class Number> requires(!std::" +
+      std::string(is_exact ? "is_arithmetic_v<Number>)\n"
+                           : "integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f\n") +
+      (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
+                 : structure + "<Number>") +
+      " " + name + "(" + joined(parameters, ", ") + ") {\n";
   if (!functions.empty())
     e.header += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
   e.header += code + "}\n";
@@ -186,12 +187,10 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   const std::string numbers =
       is_exact
           ? "any field, without error; doubles are no field, and refused: closed, product "
-            "and tangent are for them. A whole number outside "
-            "of its domain throws std::domain_error; others are not tested: a field need have no "
-            "order."
-          : "any real type of double's precision and exponents, or better (1.0, not 1 or 1.0f), "
-            "with <cmath>'s functions; each operation is rounded as the type rounds. No error "
-            "bound is derived: "
+            "and tangent are for them. A whole number outside of its domain throws "
+            "std::domain_error; others are not tested: a field need have no order."
+          : "any real type of double's precision and exponents, or better, with <cmath>'s "
+            "functions; each operation is rounded as the type rounds. No error bound is derived: "
             "where terms cancel, the result has their absolute error, and few right digits where "
             "it is far below them. Outside of its domain a function throws std::domain_error.";
   result.header =
