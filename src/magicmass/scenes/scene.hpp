@@ -58,7 +58,7 @@ std::optional<Quadratic> quotient(const Value& x, const Value& y);
 /// What read_value takes, for messages.
 inline constexpr std::string_view allowed_values =
     "a number, or in quotes a fraction 1/7, whole numbers with + - * / ^ and one square root like "
-    "sqrt(5)-2, a hex float like 0x1.8p-3, magic:k, deficient:k";
+    "sqrt(5)-2, a hex float like 0x1.8p-3, magic:k, -magic:k, deficient:k";
 
 /// A decimal point, an exponent or 0x: the nearest double. Else whole numbers, exactly.
 /// Throws InvalidInput, one line that says what was wrong.
