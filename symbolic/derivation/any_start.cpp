@@ -169,7 +169,7 @@ void collapse_from_any_start(Book& book) {
       scaled(le(swing(j + 1), 0), le(swing(j + 1) * U(j), 0), 1 / U(j),
              {turns, times(over, linear(lt(0, U(j + 1)), {next})), times(stays, r_e())});
   const Theorem sign = book["any_start.takes_place"];
-  book.show("once", "If it does, the first collision that does not take place is the last one:",
+  book.show("once", "If C does not approach B at first, what has ended does not begin again:",
             follows(imp(le(nearing(j), 0), le(nearing(j + 1), 0)),
                     {sign, at(sign, {{j, j + 1}}), discharge(over.conclusion(), ended)}));
   const Exprs ending = endless + Exprs{lt(0, left(speed))};

@@ -73,7 +73,7 @@ void chebyshev(Book& book) {
   book.show("unit", "In these powers as the unit they stay near 1:",
             both({scaled, linear(eq((1 / y - y) * pow(j) * last(j), 1 - power(pow(j), 2)),
                                  {scaled, apart})}));
-  book.show("steps", "Of 1 they are",
+  book.show("steps", "At 1 they are",
             by_induction(j, logic_and({eq(U(j, 1), j + 1), eq(fun("U_last", {Expr(1), j}), j)}),
                          {at(first, {{x, 1}}), at(def[1], {{x, 1}})},
                          {at(after, {{x, 1}}), at(last_after, {{x, 1}})}));
