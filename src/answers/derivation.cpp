@@ -11,8 +11,6 @@ namespace {
 
 using derivation::Chapter;
 using derivation::Statement;
-using kernel::Op;
-using kernel::Theorem;
 using render::Section;
 using render::Step;
 
@@ -33,7 +31,7 @@ std::vector<Section> sections_of(const derivation::Book& book) {
     for (const Statement& s : chapter.statements) {
       const kernel::Expr conclusion = s.theorem.conclusion();
       places.emplace(conclusion, ids.size());
-      if (conclusion.op() == Op::And)
+      if (conclusion.op() == kernel::Op::And)
         for (const kernel::Expr& part : conclusion.args()) places.emplace(part, ids.size());
       theorems.push_back(s.theorem);
       ids.push_back(s.id);
@@ -50,7 +48,7 @@ std::vector<Section> sections_of(const derivation::Book& book) {
       while (!open.empty()) {
         const coq::Sequent next = coq::sequent_of(open.back());
         open.pop_back();
-        for (const Theorem& t : proofs.at(next).step().premises) {
+        for (const kernel::Theorem& t : proofs.at(next).step().premises) {
           if (t.step().rule == "assume" || !seen.insert(coq::sequent_of(t)).second) continue;
           const auto [first, last] = places.equal_range(t.conclusion());
           const auto shown = std::find_if(first, last, [&](const auto& place) {
@@ -165,12 +163,11 @@ Answer verify(const Request&) {
 
 Answer verified(const kernel::Theorems& shown, const std::string& problem) {
   const bool has_failed = !problem.empty();
-  Answer answer{one_row({{"proved", whole_cell(shown.size())},
-                         {"failed", whole_cell(has_failed ? 1 : 0)},
-                         {"steps", whole_cell(coq::proofs_of(shown).size())}})};
-  answer.check_failed = has_failed;
-  if (has_failed) answer.note = "verify: not proved: " + problem;
-  return answer;
+  return {.table = one_row({{"proved", whole_cell(shown.size())},
+                            {"failed", whole_cell(has_failed ? 1 : 0)},
+                            {"steps", whole_cell(coq::proofs_of(shown).size())}}),
+          .check_failed = has_failed,
+          .note = has_failed ? "verify: not proved: " + problem : ""};
 }
 
 }  // namespace answers

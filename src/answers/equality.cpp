@@ -9,7 +9,6 @@ namespace answers {
 namespace {
 
 using equality::Verdict;
-using kernel::Expr;
 
 Cell counterexample_cell(const Verdict& verdict) {
   if (!verdict.counterexample) return missing_cell();
@@ -31,7 +30,7 @@ Answer equal(const Request& request) {
         "equal: two expressions are needed; example: magicmass equal \"sqrt(8)\" "
         "\"2*sqrt(2)\"");
   std::vector<std::string> notes;
-  std::vector<Expr> sides;
+  kernel::Exprs sides;
   std::set<std::string> symbols;
   std::string place = "left side, ";
   try {
@@ -48,17 +47,16 @@ Answer equal(const Request& request) {
     notes.insert(notes.end(), verdict.notes.begin(), verdict.notes.end());
     for (auto note = notes.begin(); note != notes.end(); ++note)  // of both sides: said once
       notes.erase(std::remove(note + 1, notes.end(), *note), notes.end());
-    Answer answer{
-        one_row({{"verdict", text_cell(equality::word(verdict.answer))},
-                 {"proof", text_cell(verdict.proof)},
-                 {"counterexample", counterexample_cell(verdict)},
-                 {"domain", list_cell(verdict.domain)},
-                 {"conditions", list_cell(verdict.conditions)},
-                 {"theorem", verdict.theorem.empty() ? missing_cell() : text_cell(verdict.theorem)},
-                 {"notes", list_cell(notes)}})};
-    answer.check_failed = verdict.answer == equality::Answer::Different;
-    answer.is_undecided = verdict.answer == equality::Answer::Undecided;
-    return answer;
+    const std::string& theorem = verdict.theorem;
+    return {.table = one_row({{"verdict", text_cell(equality::word(verdict.answer))},
+                              {"proof", text_cell(verdict.proof)},
+                              {"counterexample", counterexample_cell(verdict)},
+                              {"domain", list_cell(verdict.domain)},
+                              {"conditions", list_cell(verdict.conditions)},
+                              {"theorem", theorem.empty() ? missing_cell() : text_cell(theorem)},
+                              {"notes", list_cell(notes)}}),
+            .check_failed = verdict.answer == equality::Answer::Different,
+            .is_undecided = verdict.answer == equality::Answer::Undecided};
   } catch (const kernel::Refused& r) {
     throw InvalidInput("equal: " + place + shown_text(r.what(), 300));
   }

@@ -2,7 +2,6 @@
 
 #include "answers/commands.hpp"
 #include "answers/motion.hpp"
-#include "kernel/expr.hpp"
 #include "magicmass/scenes/run.hpp"
 
 namespace answers {

@@ -99,8 +99,7 @@ Answer ratios(const Request& request) {
     }
     return rows;
   };
-  Answer answer{{columns, rows_from(1)}, ""};
-  answer.stream = [=, format = format_of(request.format)](const auto& write) {
+  const auto stream = [=, format = format_of(request.format)](const auto& write) {
     Writer writer(format, columns, true);
     for (int first = 1; first <= count; first += rows_at_once) {
       write(writer.rows(rows_from(first)));
@@ -108,7 +107,7 @@ Answer ratios(const Request& request) {
     }
     write(writer.end());
   };
-  return answer;
+  return {.table = {columns, rows_from(1)}, .stream = stream};
 }
 
 }  // namespace answers

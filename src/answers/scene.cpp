@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include <iomanip>
-#include <sstream>
 
 #include "answers/commands.hpp"
 #include "magicmass/scenes/run.hpp"
@@ -48,21 +46,15 @@ Cell number_cell(const Number& number, bool exact) {
   return real_cell(*rounded);
 }
 
-std::string printed(double value, int digits) {
-  std::ostringstream text;
-  text << std::setprecision(digits) << value;
-  return text.str();
-}
-
 /// What fits a table of 80 columns: 8 digits.
 Cell short_cell(const Number& number, bool exact) {
   const Cell cell = number_cell(number, exact);
   if (exact || cell.text.size() < 11) return cell;
-  return {printed(*double_of(number), 8), cell.json};
+  return {formatted("%.8g", *double_of(number)), cell.json};
 }
 
 /// Two digits, rounded up; it is finite.
-Cell bound_cell(double bound) { return whole_cell(printed(1.06 * bound, 2)); }
+Cell bound_cell(double bound) { return whole_cell(formatted("%.2g", 1.06 * bound)); }
 
 Fields status_fields(const Result& result) {
   Fields fields{{"status", text_cell(status_name(result.status))}};
@@ -193,9 +185,7 @@ Answer plan(const Request& request) {
   const Result result = asked(request, "plan").result;
   Fields fields = plan_fields(result);
   if (result.status == Status::limited) fields.emplace_back("limited", text_cell(result.why));
-  Answer answer{one_row(fields)};
-  answer.is_undecided = result.is_undecided;
-  return answer;
+  return {.table = one_row(fields), .is_undecided = result.is_undecided};
 }
 
 Answer simulate(const Request& request) {

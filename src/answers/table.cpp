@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 
 namespace answers {
 namespace {
@@ -107,6 +108,12 @@ Format format_of(const std::string& name) {
          : name == "csv"   ? Format::csv
          : name == "jsonl" ? Format::json_lines
                            : Format::text;
+}
+
+std::string formatted(const std::string& format, double value) {
+  std::array<char, 400> text{};  // any double fits, with dozens of decimals
+  std::snprintf(text.data(), text.size(), format.c_str(), value);
+  return text.data();
 }
 
 Cell text_cell(std::string_view text) { return {std::string(text), json_string(text)}; }

@@ -24,6 +24,8 @@ struct Cell {
   std::string json;
 };
 
+/// As printf prints it: "%.4g".
+std::string formatted(const std::string& format, double value);
 /// Text in UTF-8: what others typed is shown_text() first. Also "p/q", "p" and certified digits,
 /// since no number of JSON would hold them.
 Cell text_cell(std::string_view text);

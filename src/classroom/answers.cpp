@@ -99,11 +99,11 @@ void keep(const learn::Texts& fields) {
   const std::filesystem::path path = memory();
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
-  const int fd = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC, 0600);
-  if (fd < 0) return;
+  constexpr int at_its_end = O_WRONLY | O_APPEND | O_CREAT | O_NONBLOCK | O_CLOEXEC;
+  const Descriptor file{::open(path.c_str(), at_its_end, 0600)};
+  if (file.number < 0) return;
   const std::string line = answers::joined(fields, "\t") + "\n";
-  [[maybe_unused]] const ssize_t ignored = ::write(fd, line.data(), line.size());
-  ::close(fd);
+  [[maybe_unused]] const ssize_t ignored = ::write(file.number, line.data(), line.size());
 }
 
 bool is_miss(const std::string& verdict) {

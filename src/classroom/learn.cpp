@@ -9,7 +9,6 @@ namespace classroom {
 namespace {
 
 using answers::Answer;
-using answers::one_row;
 using answers::Request;
 using magicmass::scenes::text_of;
 
@@ -49,7 +48,7 @@ Exercise exercise(const Request& request) {
 
 Answer document(const Request& request, const Exercise& e, const std::string& text) {
   if (request.format == "text") return {{}, text + "\n"};
-  return {one_row({{"id", text_cell(e.id)}, {"text", text_cell(text)}})};
+  return {answers::one_row({{"id", text_cell(e.id)}, {"text", text_cell(text)}})};
 }
 
 Answer list(const Request& request) {
@@ -89,7 +88,7 @@ Answer check(const Request& request) {
   remember(e, said);
   answers::Fields fields = told(e, said);
   if (request.has("reveal")) fields.emplace_back("answer", text_cell(own_answer(e)));
-  Answer answer{one_row(fields)};
+  Answer answer{answers::one_row(fields)};
   answer.is_undecided = said.mark == learn::Mark::undecided;
   answer.check_failed = said.mark != learn::Mark::right && !answer.is_undecided;
   return answer;
@@ -116,11 +115,9 @@ Answer solution(const Request& request) {
 Answer watch_folder(const Request& request) {
   if (request.format != "text") throw InvalidInput("learn watch: --format: allowed: text");
   const std::string folder = request.words.size() > 1 ? request.words[1] : ".";
-  Answer answer;
-  answer.stream = [folder, all = exercises(request)](const auto& say) {
-    watch(all, folder, run_code, say);
-  };
-  return answer;
+  return {.table = {}, .stream = [folder, all = exercises(request)](const auto& say) {
+            watch(all, folder, run_code, say);
+          }};
 }
 
 Answer grade_class(const Request& request) { return grade(request, exercises(request), run_code); }

@@ -14,10 +14,8 @@ Program magicmass() {
                      .words = "mass ratio: 0.12, 1/7, magic:3, deficient:2",
                      .is_required = true,
                      .is_column = true};
-  const Option tier{"tier",
-                    "TIER",
-                    "fast, accurate (unless told otherwise), exact",
-                    {"fast", "accurate", "exact"}};
+  const std::vector<std::string> tiers{"fast", "accurate", "exact"};
+  const Option tier{"tier", "TIER", "fast, accurate (unless told otherwise), exact", tiers};
   const Option restitution{.name = "restitution",
                            .value = "E",
                            .words = "of each collision, above 0, 1 unless told otherwise",
@@ -25,6 +23,7 @@ Program magicmass() {
   const Option digits{"digits", "D", "so many significant digits, with certainty"};
   const std::vector<Option> of_scenes{{"exact", "", "in exact numbers"},
                                       {"max-events", "N", "at most so many collisions"}};
+  const std::vector<std::string> forms{"closed", "product", "tangent", "exact", "restitution"};
   const std::string scene = "SCENE.toml, or - for stdin";
   const std::vector<std::string> of_rows{"text", "json", "csv", "jsonl"};
   const std::vector<std::string> of_pages{"text", "markdown", "json", "csv"};
@@ -112,10 +111,7 @@ Program magicmass() {
                    {"check", "", "compares instead: exit code 1 where a file differs"},
                    {"quantity", "LIST", "one header with these alone, such as a_t,rho, to stdout"},
                    {"scene", "FILE", "one header with what a scene's outputs need, to stdout"},
-                   {"form",
-                    "FORM",
-                    "of such a header, tangent unless told otherwise",
-                    {"closed", "product", "tangent", "exact", "restitution"}}},
+                   {"form", "FORM", "of such a header, tangent unless told otherwise", forms}},
        .formats = {"text"},
        .run = generate_files},
       {.name = "report",

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
-#include <iomanip>
 #include <set>
 #include <sstream>
 
@@ -17,9 +16,7 @@ std::size_t decimals(const std::string& number) {
   return point == std::string::npos ? 0 : number.size() - point - 1;
 }
 std::string with_decimals(const std::string& number, std::size_t digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(static_cast<int>(digits)) << std::stod(number);
-  return text.str();
+  return formatted("%." + std::to_string(digits) + "f", std::stod(number));
 }
 
 bool agree(const std::string& printed, const std::string& ours) {

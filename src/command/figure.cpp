@@ -26,13 +26,12 @@ std::string told(const std::string& script, const std::string& key) {
   return text;
 }
 
-std::string filled(const std::string& script, const std::string& data, const std::string& format) {
-  return "format = '" + format + "'\nsize = '" + told(script, "size") + "'\n" +
-         host::embedded("terminal.gp") + "$data << END\n" + data + "END\n" + script;
-}
-/// What gnuplot prints for a script; script and picture are passed in memory.
-std::string drawn(const std::string& script) {
-  const auto said = host::said_by({"gnuplot", "-d", "-"}, script);
+/// What gnuplot prints for a script and its data; both and the picture are passed in memory.
+std::string drawn(const std::string& script, const std::string& data, const std::string& format) {
+  const std::string input = "format = '" + format + "'\nsize = '" + told(script, "size") + "'\n" +
+                            host::embedded("terminal.gp") + "$data << END\n" + data + "END\n" +
+                            script;
+  const auto said = host::said_by({"gnuplot", "-d", "-"}, input);
   if (!said)
     throw InvalidInput(
         "figure: drawing needs gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");
@@ -77,7 +76,7 @@ std::string picture(const Figure& figure, const Table& data, const std::string& 
   std::string rows = written(data, Format::csv);
   if (format == "csv") return rows;
   const std::string script = script_of(figure.name);
-  const std::string drawing = drawn(filled(script, rows, format));
+  const std::string drawing = drawn(script, rows, format);
   return format == "svg"   ? described(drawing, script)
          : format == "pdf" ? dateless(drawing)
                            : drawing;

@@ -12,12 +12,6 @@ namespace {
 using answers::InvalidInput;
 using Names = std::set<std::string>;
 
-/// Names between commas.
-Names listed(const std::string& text) {
-  const learn::Texts names = learn::fields(text, ',');
-  return {names.begin(), names.end()};
-}
-
 /// What a scene's outputs are computed from. The evaluators are of the paper's three bodies.
 Names needed(const std::string& file) {
   using namespace magicmass::scenes;
@@ -53,7 +47,9 @@ std::string header(const answers::Request& request) {
     throw InvalidInput(
         "generate: --quantity or --scene is one header; allowed with it: --form, -o FILE");
   const std::string form = request.has("form") ? request.text("form") : "tangent";
-  const Names names = is_scene ? needed(request.text("scene")) : listed(request.text("quantity"));
+  const learn::Texts listed = learn::fields(request.text("quantity"), ',');
+  const Names names =
+      is_scene ? needed(request.text("scene")) : Names(listed.begin(), listed.end());
   try {
     return generate::selected(form, names);
   } catch (const codegen::Refused& refused) {

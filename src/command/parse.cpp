@@ -62,17 +62,14 @@ const Command& command_of(const Program& program, const std::string& word) {
   throw InvalidInput("unknown command " + shown_text(word) + "; see " + program.name + " --help");
 }
 
-std::string the(const Command& command, const std::string& what) {
-  return command.name + ": " + what;
-}
-
 /// Options by name, and what else there is. An option takes the next word, though it begin with a
 /// minus sign (not with two); so may formulas, and what follows "--".
 answers::Request request_of(const Command& command, const std::vector<Option>& options,
                             const std::vector<std::string>& words, const std::string& help) {
   answers::Request request;
   const auto refuse = [&](const std::string& word) {
-    throw InvalidInput(the(command, "has no option or word " + shown_text(word) + "; see " + help));
+    throw InvalidInput(command.name + ": has no option or word " + shown_text(word) + "; see " +
+                       help);
   };
   const auto end = std::ranges::find(words, "--");
   for (auto at = words.begin(); at != end; ++at) {
@@ -95,7 +92,7 @@ answers::Request request_of(const Command& command, const std::vector<Option>& o
     if (takes_value && (value.empty() || (is_apart && value.starts_with("--"))))
       throw InvalidInput("--" + option->name + " has no value");
     if (!request.options.emplace(option->name, value).second)
-      throw InvalidInput(the(command, "--" + option->name + ": given twice"));
+      throw InvalidInput(command.name + ": --" + option->name + ": given twice");
   }
   if (end != words.end()) request.words.insert(request.words.end(), end + 1, words.end());
   if (command.words.empty() && !request.words.empty()) refuse(request.words[0]);
@@ -111,12 +108,12 @@ Asked asked_for(const Command& command, const std::vector<Option>& options,
     const std::string value = request.text(option.name);
     const bool is_given = request.has(option.name);
     if (is_given && !option.choices.empty() && std::ranges::count(option.choices, value) == 0)
-      throw InvalidInput(the(command, "unknown " + option.name + " " + shown_text(value) +
-                                          "; allowed: " + joined(option.choices)));
+      throw InvalidInput(command.name + ": unknown " + option.name + " " + shown_text(value) +
+                         "; allowed: " + joined(option.choices));
     const bool may_be_column = request.has("input") && option.is_column;
     if (option.is_required && !is_given && !may_be_column)
-      throw InvalidInput(
-          the(command, "--" + option.name + " is missing; example: " + command.example));
+      throw InvalidInput(command.name + ": --" + option.name +
+                         " is missing; example: " + command.example);
   }
   const Limits limits{
       request.whole("time-limit", 1, no_limit)

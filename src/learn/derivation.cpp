@@ -8,8 +8,6 @@
 namespace learn {
 namespace {
 
-using kernel::Exprs;
-
 constexpr std::size_t most_lines = 40;
 
 std::string line_name(std::size_t i) { return "line " + std::to_string(i + 1); }
@@ -93,7 +91,7 @@ public:
 
 private:
   const Terms& terms_;
-  Exprs unknowns_, laws_, not_zero_;
+  kernel::Exprs unknowns_, laws_, not_zero_;
   kernel::Substitution truth_;
 
   /// What the unknown is by a line that is linear in it.
@@ -127,7 +125,7 @@ private:
 Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) {
   const Equations equations(terms);
   std::vector<std::pair<Expr, Expr>> all;
-  Exprs differences;
+  kernel::Exprs differences;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const notation::Typed read = typed(terms, lines[i], i, notes);
     if (!read.right) kernel::refuse(line_name(i) + " is no equation; each line should have one =");

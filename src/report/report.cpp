@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <iterator>
 #include <set>
@@ -16,17 +15,12 @@ namespace {
 
 using namespace answers;
 
-std::string printed(const char* format, double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 /// Four digits: more would tell nothing.
 Cell short_cell(double value) {
-  return real_cell(std::strtod(printed("%.4g", value).c_str(), nullptr));
+  return real_cell(std::strtod(formatted("%.4g", value).c_str(), nullptr));
 }
 Cell hex_cell(double value) {
-  return value == 0 ? missing_cell() : text_cell(printed("%a", value));
+  return value == 0 ? missing_cell() : text_cell(formatted("%a", value));
 }
 
 Fields fields_of(const Measurement& one) {
