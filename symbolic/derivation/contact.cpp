@@ -35,30 +35,31 @@ Theorem velocities_after(Book& book) {
             book.show("v_2", "and", equation(v_2, after[1], rules))});
 
   const Theorem reverse = instantiate(law, {{u_1, -v_1}, {u_2, -v_2}, {v_1, -u_1}, {v_2, -u_2}});
-  const Expr back_again = right(reverse);
-  const Theorem stays =
-      given(eq(-u_1, -v_1), [&](const Theorem& same) { return linear(eq(v_1, u_1), {same}); });
+  const Expr back = right(reverse);
   book.show("reversed", "Run backwards in time, a collision is a collision again:",
-            tautology(left(reverse), {reverse, linear(back_again.arg(0), {P}),
-                                      linear(back_again.arg(1), {E}), stays, changes}));
+            tautology(left(reverse), {reverse, linear(back.arg(0), {P}), linear(back.arg(1), {E}),
+                                      linear(iff(eq(-u_1, -v_1), eq(v_1, u_1))), changes}));
 
-  // The converse.
-  const Theorem w_1 = assume(eq(v_1, after[0]));
-  const Theorem w_2 = assume(eq(v_2, after[1]));
-  book.show("exists", "Conversely, these velocities keep momentum and energy,",
-            equation(logic_and({momentum, energy}), {w_1, w_2}));
-  const auto back = [&](const Theorem& same) {
-    return arithmetic(eq(u_1, u_2),
-                      {.equations = {{-(M_1 + M_2) / 2, same}, {(M_1 + M_2) / 2, w_1}},
-                       .multipliers = {positive(M_2)},
-                       .nonzero = {positive(M_1 + M_2)}});
+  // The converse: with these velocities, v_1 is u_1 only where u_1 is u_2.
+  const Expr alike = eq(u_1, u_2), stays = eq(v_1, u_1);
+  const Theorem w_1 = assume(eq(v_1, after[0])), w_2 = assume(eq(v_2, after[1]));
+  const auto where = [&](Expr f, const Theorem& t) {
+    return discharge(w_1.conclusion(), discharge(f, t));
   };
-  book.show("changes", "and something changes if and only if the bodies approach or part.",
-            tautology(iff(changed, neq(u_1, u_2)), {given(eq(u_1, u_2),
-                                                          [&](const Theorem& same) {
-                                                            return equation(v_1, u_1, {w_1, same});
-                                                          }),
-                                                    given(eq(v_1, u_1), back)}));
+  const Theorem together =
+      arithmetic(alike, {.equations = {{-(M_1 + M_2) / 2, assume(stays)}, {(M_1 + M_2) / 2, w_1}},
+                         .multipliers = {positive(M_2)},
+                         .nonzero = {positive(M_1 + M_2)}});
+  const Theorems facts{
+      law, discharge(left(law), velocities), where(alike, equation(v_1, u_1, {w_1, assume(alike)})),
+      where(stays, together),
+      where(w_2.conclusion(), equation(logic_and({momentum, energy}), {w_1, w_2}))};
+  book.show(
+      "exists",
+      "Conversely, these velocities keep momentum and energy, and something changes where the "
+      "bodies approach or part. So the law says no more than this:",
+      tautology(iff(left(law), logic_and({w_1.conclusion(), w_2.conclusion(), neq(u_1, u_2)})),
+                facts));
   return velocities;
 }
 }  // namespace

@@ -117,17 +117,22 @@ void first_cycles(Book& book, const Theorems& names) {
   const Expr room = power(s, 2) - 2 * e;
   const Theorem after_2 = book.show("cycle_2", "and after two, the last of them",
                                     B_has(2, V * alpha * power(s, 2) * (1 + room)));
-  book.show("last_approach", "with the approach speed",
-            equation(with_e("c_e", 2) - with_e("b_e", 1), V * s * room,
-                     rules + Theorems{after_1, at_cycle(names[3], 2)}));
-  const Expr room_more = substitute(room, {{e, e_more}});
-  const Known more({assume(lt(0, e)), assume(lt(e, e_more))});
+  const Theorem approach = book.show("last_approach", "with the approach speed",
+                                     equation(with_e("c_e", 2) - with_e("b_e", 1), V * s * room,
+                                              rules + Theorems{after_1, at_cycle(names[3], 2)}));
+  const Known more({assume(lt(e, e_more))});
   rises(book, "rises_1",
         "Where e and e' both have two or three collisions the first of these is B's last velocity, "
         "and its share of the energy, rho, rises,",
         after_1, 2 + e + e_more);
-  know(assume(lt(0, room)));
-  know(assume(lt(0, room_more)));
+  const Expr room_more = substitute(room, {{e, e_more}});
+  for (const Substitution& at_e : {Substitution{}, Substitution{{e, e_more}}}) {
+    const Theorem meet = assume(substitute(lt(with_e("b_e", 1), with_e("c_e", 2)), at_e));
+    know(arithmetic(substitute(lt(0, room), at_e),
+                    {.equations = {{1, at(approach, at_e)}},
+                     .products = {{1, {meet}}},
+                     .multipliers = {positive(substitute(V * s, at_e))}}));
+  }
   rises(book, "rises_2",
         "and so it does with the second where both have four or five (for more collisions figures "
         "show it, but it is not proved):",
@@ -154,7 +159,7 @@ Theorems first_collisions(const Book& book, int count, const Substitution& bodie
 void transmission(Book& book) {
   book.chapter("losses", "The energy of any motion", of_wedge({le(0, j), lt(0, e)}));
   energy(book);
-  book.chapter("transmission", "What losses let through", {alpha_positive, V_positive});
+  book.chapter("transmission", "What losses let through", {alpha_positive, V_positive, lt(0, e)});
   const Theorems names = names_of_paper(book);
   equations_of_paper(book, names);
   first_cycles(book, names);

@@ -35,6 +35,7 @@ void wait(Trio& t) {
 }
 Trio after(const Vector& x, int collisions) {
   if (collisions < 0) throw Undefined();
+  if (cln::expt(exact(x[3]), collisions) < tiny()) throw Unseen();
   Trio t = start(x);
   while (t.N < collisions) {
     if (has_places(x)) wait(t);

@@ -12,6 +12,7 @@ using Matrix = std::vector<std::vector<cl_R>>;
 
 /// Thrown where a term has no value: 1/0, the root of a negative number, a count without speed.
 struct Undefined {};
+struct Unseen : Undefined {};  ///< losses left too little of a velocity for its sign
 
 cl_R exact(const cl_R& x);
 cl_R circle();

@@ -287,6 +287,9 @@ Tried tried(const Exprs& hypotheses, Expr conclusion, int wanted) {
         if (point.empty()) break;
         continue;
       }
+    } catch (const Unseen&) {
+      --out.points;
+      continue;
     } catch (const Undefined&) {
       out.false_at = "no value ";
     }
