@@ -2,10 +2,6 @@
 // Commands that answer in numbers or decide, questions in their words, the data of figures.
 #pragma once
 
-#include <map>
-#include <string>
-#include <vector>
-
 #include "answers/request.hpp"
 
 namespace answers {

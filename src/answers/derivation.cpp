@@ -101,9 +101,7 @@ std::vector<Section> asked_for(const Request& request) {
         is_known = true;
       }
     if (is_known) continue;
-    std::vector<std::string> chapters;
-    for (const Chapter& chapter : derivation::the_book().chapters())
-      chapters.push_back(chapter.name);
+    const auto chapters = texts_of(derivation::the_book().chapters(), &Chapter::name);
     throw InvalidInput("derive: no chapter, step or label " + shown_text(word) +
                        "; chapters: " + joined(chapters) + "; steps: derive --list");
   }
@@ -135,9 +133,8 @@ Answer derive(const Request& request) {
   std::string list;
   for (const Section& section : sections)
     for (const Step& step : section.steps) {
-      std::vector<std::string> hypotheses;
-      for (const kernel::Expr& h : derivation::shown(step.id).hypotheses())
-        hypotheses.push_back(kernel::text(h));
+      const auto hypotheses =
+          texts_of(derivation::shown(step.id).hypotheses(), [](auto h) { return kernel::text(h); });
       const std::string formula = kernel::text(step.formula);
       list +=
           step.id + (step.label.empty() ? "" : " (" + step.label + ")") + "\n    " + formula + "\n";

@@ -3,11 +3,9 @@
 // of ours.
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <vector>
+#include <functional>
 
+#include "kernel/expr.hpp"
 #include "magicmass/numbers/errors.hpp"
 
 namespace answers {
@@ -15,10 +13,26 @@ namespace answers {
 using magicmass::InvalidInput;  ///< exit code 2
 using magicmass::Undecided;     ///< exit code 3
 
+/// What it gives. What it refuses (kernel::Refused) was given by a user: InvalidInput, after
+/// `before`.
+template <class Action>
+auto given_by_user(const std::string& before, const Action& action) try {
+  return action();
+} catch (const kernel::Refused& refused) {
+  throw InvalidInput(before + refused.what());
+}
+
 /// Printable ASCII as it is, other bytes as \xHH, so that no terminal obeys them; cut with "..."
 /// after so many bytes; "(nothing)" where there are none.
 std::string shown_text(std::string_view text, std::size_t longest = 60);
 
+/// A text of each: texts_of(figures, &Figure::name).
+template <class All, class Of>
+std::vector<std::string> texts_of(const All& all, const Of& of) {
+  std::vector<std::string> texts;
+  for (const auto& one : all) texts.push_back(std::invoke(of, one));
+  return texts;
+}
 /// The texts with ", " between them.
 std::string joined(const std::vector<std::string>& texts, std::string_view between = ", ");
 

@@ -2,9 +2,6 @@
 // What names stand for in the book.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "kernel/expr.hpp"
 
 namespace answers {

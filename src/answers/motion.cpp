@@ -36,19 +36,14 @@ Ball ball_of(const Alpha& alpha) {
   return *fraction_of(alpha);
 }
 Alpha alpha_of(const std::string& text) {
-  try {
-    return notation::read_alpha(text);
-  } catch (const kernel::Refused& refused) {
-    throw InvalidInput(refused.what());
-  }
+  return given_by_user("", [&] { return notation::read_alpha(text); });
 }
 double nearest(const Alpha& alpha) { return value_of(alpha).to_double(); }
 std::optional<cl_RA> fraction_of(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return exact(*value);
-  const auto* fraction = std::get_if<cl_RA>(&alpha);
-  const auto* at = std::get_if<Threshold>(&alpha);
-  if (at != nullptr && at->is_magic && at->k == 1) return 1;
-  return fraction != nullptr ? std::optional(*fraction) : std::nullopt;
+  if (const auto* fraction = std::get_if<cl_RA>(&alpha)) return *fraction;
+  const Threshold& at = std::get<Threshold>(alpha);
+  return at.is_magic && at.k == 1 ? std::optional<cl_RA>(1) : std::nullopt;
 }
 Ball right_side_at(const char* id, const Ball& alpha, const cl_RA& n) {
   return evaluated(

@@ -2,11 +2,6 @@
 // Counts and velocities for a mass ratio as it is written, from the book's theorems.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "answers/request.hpp"
 #include "magicmass/scenes/trio.hpp"
 

@@ -2,13 +2,8 @@
 // What is asked: words as they were typed, or as a row of CSV has them.
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "answers/table.hpp"
 

@@ -189,19 +189,19 @@ Answer plan(const Request& request) {
 }
 
 Answer simulate(const Request& request) {
-  const Asked scene = asked(request, "simulate");
+  const Asked question = asked(request, "simulate");
   Answer answer;
-  const Result& result = scene.result;
+  const Result& result = question.result;
   answer.is_undecided = result.is_undecided;
   const Format format = format_of(request.format);
   if (is_list(format) && result.status != Status::complete)
     answer.note = "simulate: " + status_name(result.status) + ": " + result.why;
-  if (is_list(format) && scene.scene.wants("events") && scene.scene.wants("trajectory"))
+  if (is_list(format) && question.scene.wants("events") && question.scene.wants("trajectory"))
     answer.note += (answer.note.empty() ? "simulate: " : "; ") + request.format +
                    " lists events alone; the trajectory is in text and json, or where no events "
                    "are asked for";
-  answer.stream = [scene, format](const Write& write) {
-    part_of("simulate", [&] { write_all(scene, format, write); });
+  answer.stream = [question, format](const Write& write) {
+    part_of("simulate", [&] { write_all(question, format, write); });
   };
   return answer;
 }

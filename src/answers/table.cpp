@@ -141,9 +141,7 @@ Cell whole_cell(const std::string& digits) { return {digits, digits}; }
 Cell missing_cell() { return {"", "null"}; }
 
 Cell list_cell(const std::vector<std::string>& texts) {
-  std::vector<std::string> quoted;
-  for (const std::string& text : texts) quoted.push_back(json_string(text));
-  return {joined(texts, "; "), "[" + joined(quoted) + "]"};
+  return {joined(texts, "; "), "[" + joined(texts_of(texts, json_string)) + "]"};
 }
 
 Cell object_cell(const Fields& fields) {
@@ -224,13 +222,10 @@ std::string Writer::text_rows(std::span<const Row> block) {
     text = widths_.empty() ? "" : line_of(columns_, widths_);
   }
   for (const Row& row : block) {
-    if (widths_.empty()) {
+    if (widths_.empty())
       text += (is_first_ ? "" : "\n") + block_of(columns_, row);
-    } else {
-      std::vector<std::string> texts;
-      for (std::size_t i = 0; i < columns_.size(); ++i) texts.push_back(shown(row.at(i)));
-      text += line_of(texts, widths_);
-    }
+    else
+      text += line_of(texts_of(row, shown), widths_);
     is_first_ = false;
   }
   return text;

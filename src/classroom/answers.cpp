@@ -121,8 +121,7 @@ std::optional<std::string> misnamed(const std::string& file, const std::vector<E
     for (char& c : name) c = c == ' ' ? '_' : char(std::tolower(static_cast<unsigned char>(c)));
     return name;
   };
-  learn::Texts names;
-  for (const Exercise& e : all) names.push_back(answer_file(e));
+  const learn::Texts names = answers::texts_of(all, answer_file);
   if (std::ranges::count(names, file) != 0) return {};
   for (const std::string& name : names)  // Half angle.docx
     if (stem(name) == stem(file)) return "no exercise has this file; is " + name + " meant?";
@@ -142,8 +141,8 @@ std::optional<Judgement> judged_file(const Exercise& e, const std::string& folde
 }
 
 answers::Fields told(const Exercise& e, const Judgement& said) {
-  std::vector<std::string> notes;
-  for (const std::string& note : said.notes) notes.push_back(answers::shown_text(note, 300));
+  const auto shown = [](const std::string& note) { return answers::shown_text(note, 300); };
+  const learn::Texts notes = answers::texts_of(said.notes, shown);
   return {{"id", text_cell(e.id)},
           {"verdict", text_cell(word(said.mark))},
           {"feedback", text_cell(said.feedback)},

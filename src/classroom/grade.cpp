@@ -51,13 +51,10 @@ std::vector<Exercise> chosen(const std::vector<Exercise>& all, const std::string
 }  // namespace
 
 const Exercise& named(const std::vector<Exercise>& all, const std::string& id) {
-  std::vector<std::string> names;
-  for (const Exercise& e : all) {
-    if (e.id == id) return e;
-    names.push_back(e.id);
-  }
+  const auto found = std::ranges::find(all, id, &Exercise::id);
+  if (found != all.end()) return *found;
   throw InvalidInput("learn: no exercise " + answers::shown_text(id) +
-                     learn::meant(id, names, "; see learn list"));
+                     learn::meant(id, answers::texts_of(all, &Exercise::id), "; see learn list"));
 }
 
 answers::Answer grade(const answers::Request& request, const std::vector<Exercise>& all,

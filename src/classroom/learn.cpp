@@ -16,8 +16,8 @@ using magicmass::scenes::text_of;
 std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
   std::map<std::string, std::string> texts;
   if (place.empty()) {
-    for (const auto& [name, is] : host::all_embedded())
-      if (name.find("/exercises/") != name.npos && name.ends_with(".toml")) texts.emplace(name, is);
+    for (const auto& [name, text] : host::all_embedded())
+      if (name.find("/exercises/") != name.npos && name.ends_with(".toml")) texts[name] = text;
   } else if (std::filesystem::is_directory(place)) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
       if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "scenes")

@@ -137,7 +137,7 @@ bool compute_only(const char* program, const rlimit* memory) {
     is_good = is_good && seccomp_rule_add_array(filter, action, number, unsigned(where.size()),
                                                 where.data()) == 0;
   };
-  const auto is = [](unsigned argument, std::uint64_t value) {
+  const auto equals = [](unsigned argument, std::uint64_t value) {
     return scmp_arg_cmp{argument, SCMP_CMP_EQ, value, 0};
   };
   for (const char* call : {"brk",           "mmap",         "munmap",          "mremap",
@@ -147,14 +147,14 @@ bool compute_only(const char* program, const rlimit* memory) {
                            "clock_gettime", "sysinfo",      "fstat",           "newfstatat",
                            "exit",          "exit_group"})
     rule(call);
-  rule("read", {is(0, STDIN_FILENO)});
+  rule("read", {equals(0, STDIN_FILENO)});
   for (const auto* c : {"write", "writev"})
     rule(c, {{0, SCMP_CMP_LE, host::results_descriptor, 0}});
-  rule("prlimit64", {is(0, 0), is(2, 0)});  // asks, sets nothing
-  rule("prlimit64", {is(0, 0), is(1, RLIMIT_AS), is(2, std::uint64_t(memory))});
-  rule("tgkill", {is(0, std::uint64_t(::getpid()))});  // abort()
+  rule("prlimit64", {equals(0, 0), equals(2, 0)});  // asks, sets nothing
+  rule("prlimit64", {equals(0, 0), equals(1, RLIMIT_AS), equals(2, std::uint64_t(memory))});
+  rule("tgkill", {equals(0, std::uint64_t(::getpid()))});  // abort()
   for (const char* call : {"readlink", "readlinkat"}) rule(call, {}, SCMP_ACT_ERRNO(ENOENT));
-  rule("execve", {is(0, std::uint64_t(program))});
+  rule("execve", {equals(0, std::uint64_t(program))});
   return is_good && seccomp_load(filter) == 0;  // the last call that we may make
 }
 

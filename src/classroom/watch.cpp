@@ -36,7 +36,7 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
     say("");
   };
   std::map<std::string, Seen> files;
-  std::set<std::string> odd;
+  std::set<std::string> reported;
   for (bool is_first = true;; is_first = false) {
     const std::filesystem::directory_iterator entries(place, error);
     if (error)
@@ -46,8 +46,8 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       const std::string name = entry.path().filename();
       const auto found = std::ranges::find(all, name, answer_file);
       if (found == all.end()) {
-        const auto said = misnamed(name, all);
-        if (said && odd.insert(name).second) tell(answers::shown_text(name) + ": " + *said + "\n");
+        if (const auto said = misnamed(name, all); said && reported.insert(name).second)
+          tell(answers::shown_text(name) + ": " + *said + "\n");
         continue;
       }
       const std::optional<Stamp> now = stamp_of(entry.path());

@@ -2,11 +2,6 @@
 // A command is a row of a table: it feeds the parser, help, and what runs it.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "answers/request.hpp"
 
 namespace command {

@@ -106,12 +106,10 @@ generate::Texts files_of(const Table& all) {
 
 Answer figure(const Request& request) {
   const std::vector<Figure> all = all_figures();
-  std::vector<std::string> names;
+  const std::vector<std::string> names = texts_of(all, &Figure::name);
   Table list{{"name", "title"}, {}};
-  for (const Figure& f : all) {
-    names.push_back(f.name);
-    list.rows.push_back({text_cell(f.name), text_cell(told(script_of(f.name), "title"))});
-  }
+  for (const std::string& name : names)
+    list.rows.push_back({text_cell(name), text_cell(told(script_of(name), "title"))});
   if (request.has("list") && request.words.empty()) return {list};
   if (request.words.size() != 1 || request.has("list"))
     throw InvalidInput("figure: give one name, or --list; allowed: " + joined(names));

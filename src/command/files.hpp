@@ -3,10 +3,6 @@
 // paper's numbers that one of them shows.
 #pragma once
 
-#include <functional>
-#include <string>
-#include <string_view>
-
 #include "answers/request.hpp"
 #include "generate/tree.hpp"
 

@@ -3,12 +3,6 @@
 // whatever answers it.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <variant>
-#include <vector>
-
 #include "command/command.hpp"
 
 namespace command {

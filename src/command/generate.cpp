@@ -50,11 +50,8 @@ std::string header(const answers::Request& request) {
   const learn::Texts listed = learn::fields(request.text("quantity"), ',');
   const Names names =
       is_scene ? needed(request.text("scene")) : Names(listed.begin(), listed.end());
-  try {
-    return generate::selected(form, names);
-  } catch (const codegen::Refused& refused) {
-    throw InvalidInput("generate: form " + form + ": " + refused.what());
-  }
+  return answers::given_by_user("generate: form " + form + ": ",
+                                [&] { return generate::selected(form, names); });
 }
 
 }  // namespace

@@ -66,14 +66,13 @@ std::string CsvReader::place(std::size_t before) const {
 }
 
 bool CsvReader::next_line() {
-  constexpr std::size_t piece = longest_line;
   ++number_;
   std::size_t end = buffer_.find('\n', at_);
   while (end == std::string::npos && buffer_.size() - at_ <= longest_line + 1) {
     buffer_.erase(0, std::exchange(at_, 0));
     const std::size_t had = buffer_.size();
-    buffer_.resize(had + piece);
-    const ssize_t size = ::read(file_, buffer_.data() + had, piece);
+    buffer_.resize(had + longest_line);
+    const ssize_t size = ::read(file_, buffer_.data() + had, longest_line);
     buffer_.resize(had + static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
     if (size < 0 && errno == EINTR) continue;
     if (size < 0 && errno == EAGAIN) {  // a pipe that its other users made non-blocking

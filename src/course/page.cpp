@@ -17,14 +17,14 @@ std::string formula_or_words(const std::string& text) {
 std::string link(const std::string& to, const std::string& words, const std::string& more = "") {
   return "<a href=\"" + to + "\"" + more + ">" + words + "</a> ";
 }
-std::string frame(const std::string& title, const std::string& top, const std::string& main,
+std::string frame(const std::string& title, const std::string& navigation, const std::string& main,
                   const std::string& bottom = "") {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
          html_text(title) +
          "</title>\n<link rel=\"stylesheet\" href=\"course.css\">\n</head>\n<body>\n" +
          link("#main", "To the text", " class=\"skip\"") + "\n<header><nav aria-label=\"Course\">" +
-         top + "</nav></header>\n<main id=\"main\">\n" + main + "</main>\n" + bottom +
+         navigation + "</nav></header>\n<main id=\"main\">\n" + main + "</main>\n" + bottom +
          "</body>\n</html>\n";
 }
 
@@ -66,12 +66,8 @@ Texts read_session(const std::string& session) {
 std::string term_html(const std::string& text) {
   if (text.size() == 1 && std::isupper(static_cast<unsigned char>(text[0])) != 0)
     return "<math><mi>" + text + "</mi></math>&#x2060;";
-  kernel::Expr term;
-  try {
-    term = notation::read(text);
-  } catch (const kernel::Refused& refused) {
-    throw InvalidInput("$" + text + "$ is not in the derivation's notation: " + refused.what());
-  }
+  const kernel::Expr term = answers::given_by_user(
+      "$" + text + "$ is not in the derivation's notation: ", [&] { return notation::read(text); });
   if (kernel::is_formula(term))
     throw InvalidInput("$" + text + "$ claims something; a claim is a theorem: {{theorem:id}}");
   return render::mathml(term, false) + "&#x2060;";

@@ -153,9 +153,8 @@ Judgement judge_code(const Exercise& e, const std::string& code, const Run& run)
     return {Mark::wrong, place(e, done) + ran.stopped + (ran.stopped.ends_with('?') ? "" : ".")};
   const std::string different = difference(e, cases, ran.rows);
   if (different.empty()) return {Mark::right, "Right, in all cases."};
-  const double absolute = Within(e.within).absolute;
   const auto was_given = [&](const std::string& answer) {
-    return are_alike(run(e, answer, cases.inputs).rows, ran.rows, absolute);
+    return are_alike(run(e, answer, cases.inputs).rows, ran.rows, Within(e.within).absolute);
   };
   return mistake(e, was_given, different);
 }

@@ -124,13 +124,12 @@ private:
 
 Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) {
   const Equations equations(terms);
-  std::vector<std::pair<Expr, Expr>> all;
+  notation::Typed last;
   kernel::Exprs differences;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const notation::Typed read = typed(terms, lines[i], i, notes);
-    if (!read.right) kernel::refuse(line_name(i) + " is no equation; each line should have one =");
-    all.emplace_back(read.term, read.right);
-    differences.push_back(read.term - read.right);
+    last = typed(terms, lines[i], i, notes);
+    if (!last.right) kernel::refuse(line_name(i) + " is no equation; each line should have one =");
+    differences.push_back(last.term - last.right);
   }
   for (std::size_t i = 0; i < differences.size(); ++i) {
     const Expr e = differences[i];
@@ -160,8 +159,7 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
                                           line_name(i) + ".")};
     }
   }
-  const auto [left, right] = all.back();
-  const Expr name = terms.content(terms.exercise.name);
+  const Expr left = last.term, right = last.right, name = terms.content(terms.exercise.name);
   if ((left != name || equations.has_unknowns(right)) &&
       (right != name || equations.has_unknowns(left)))
     return {Mark::incomplete, "Every line is right, but the end is missing: " +

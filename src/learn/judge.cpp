@@ -217,11 +217,7 @@ Judgement judge_choice(const Exercise& e, const std::string& text) {
 
 }  // namespace
 
-Texts forms() {
-  Texts names;
-  for (const Form& form : all_forms) names.push_back(form.name);
-  return names;
-}
+Texts forms() { return answers::texts_of(all_forms, &Form::name); }
 
 std::optional<Lack> lacking(const std::string& form, Expr typed, const equality::Domain& domain) {
   if (form == "factored" && typed.op() == Op::Add) return Lack{typed, " is a sum"};

@@ -121,19 +121,12 @@ Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
 }
 
 Expr Terms::content(const std::string& text) const {
-  try {
-    return notation::read_typed(text, symbols).term;
-  } catch (const kernel::Refused& r) {
-    throw InvalidInput(text + ": " + r.what());
-  }
+  return answers::given_by_user(text + ": ",
+                                [&] { return notation::read_typed(text, symbols).term; });
 }
 
 Expr Terms::from_step(const std::string& id) const {
-  try {
-    return answers::stated_value(id);
-  } catch (const kernel::Refused& r) {
-    throw InvalidInput(r.what());
-  }
+  return answers::given_by_user("", [&] { return answers::stated_value(id); });
 }
 
 Expr Terms::in_book(Expr term) const {

@@ -148,8 +148,7 @@ std::string document_of(const std::vector<Measurement>& measurements, bool is_ma
 Answer report(const Request& request) {
   Plan plan = request.has("quick") ? quick_plan() : Plan();
   plan.only = request.text("only");
-  std::vector<std::string> names;
-  for (const auto& [quantity, name] : quantities) names.push_back(name);
+  Names names = texts_of(quantities, &std::pair<Quantity, std::string>::second);
   for (const Family& family : families()) names.push_back(family.name);
   for (const Implementation& one : plan.implementations)
     if (std::count(names.begin(), names.end(), one.name) == 0) names.push_back(one.name);

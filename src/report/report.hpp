@@ -2,9 +2,6 @@
 // Speed against error, as an answer; METHOD.md says how it is measured.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "answers/commands.hpp"
 #include "report/measure.hpp"
 

@@ -208,8 +208,7 @@ std::optional<cln::cl_RA> rational_value(Expr e) {
 
 Expr symbol(const std::string& name) { return real(std::string(mark) + name); }
 std::string name_of(Expr e) {
-  if (e.op() != Op::Var || !e.name().starts_with(mark)) return "";
-  return e.name().substr(mark.size());
+  return e.op() == Op::Var && e.name().starts_with(mark) ? e.name().substr(mark.size()) : "";
 }
 std::string alike(const std::string& name, const std::set<std::string>& names) {
   const auto plain = [](std::string text) {

@@ -124,8 +124,7 @@ private:
     const Expr base = atom();
     if (!takes("^")) return base;
     if (base.sort() != Sort::Matrix) return kernel::power(base, small_number());
-    if (takes("T")) return transpose(base);
-    return kernel::power(base, atom());
+    return takes("T") ? transpose(base) : kernel::power(base, atom());
   }
   int small_number() {
     const std::string word = need(Kind::Number, "a whole number");
