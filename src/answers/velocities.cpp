@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 
 #include "answers/commands.hpp"
-#include "answers/meanings.hpp"
 #include "answers/motion.hpp"
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/accurate.hpp"

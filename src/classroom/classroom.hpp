@@ -3,7 +3,6 @@
 // remembered, graded, and watched while they are written.
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <set>
 

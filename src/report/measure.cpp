@@ -96,8 +96,7 @@ Errors errors_of(const Columns& results, std::span<const Truth* const> truths) {
     for (std::size_t i = 0; i < truth.values.size(); ++i) {
       const double got = results.values[i][row];
       const double nearest = truth.rounded[i];
-      const bool is_zero = cln::zerop(truth.values[i]);
-      const double ulp = is_zero ? 0 : oracle::ulp_error(got, truth.values[i]);
+      const double ulp = cln::zerop(truth.values[i]) ? 0 : oracle::ulp_error(got, truth.values[i]);
       errors.over_envelope = std::max(errors.over_envelope, ulp / truth.envelopes[i]);
       errors.misrounded += got != nearest ? 1 : 0;
       note(errors, truth.input, ulp, std::isnan(got) || !same_sign(got, nearest));

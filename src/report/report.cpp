@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iterator>
 #include <set>
 
 #include "magicmass/numbers/accurate.hpp"
@@ -117,9 +116,8 @@ Table error_data() {
 std::string document_of(const std::vector<Measurement>& measurements, bool is_markdown) {
   const auto those = [&](Quantity quantity, std::string Measurement::*of, const std::string& name) {
     std::vector<Measurement> some;
-    std::ranges::copy_if(measurements, std::back_inserter(some), [&](const Measurement& one) {
-      return one.quantity == quantity && one.*of == name;
-    });
+    for (const Measurement& one : measurements)
+      if (one.quantity == quantity && one.*of == name) some.push_back(one);
     return some;
   };
   std::string summary =
