@@ -42,7 +42,7 @@ double nearest(const Alpha& alpha) { return value_of(alpha).to_double(); }
 std::optional<cl_RA> fraction_of(const Alpha& alpha) {
   if (const auto* value = std::get_if<double>(&alpha)) return exact(*value);
   if (const auto* fraction = std::get_if<cl_RA>(&alpha)) return *fraction;
-  const Threshold& at = std::get<Threshold>(alpha);
+  const auto& at = std::get<Threshold>(alpha);
   return at.is_magic && at.k == 1 ? std::optional<cl_RA>(1) : std::nullopt;
 }
 Ball right_side_at(const char* id, const Ball& alpha, const cl_RA& n) {
