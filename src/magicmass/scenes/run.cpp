@@ -29,7 +29,8 @@ struct Lengths {
     return is_slow(event.v_left) || is_slow(event.v_right);
   }
   bool is_too_slow(const Collision<Quadratic>& event) {
-    const std::size_t bits = std::max(event.time.bits(), event.v_right.bits());
+    const std::size_t bits =
+        std::max({event.time.bits(), event.v_left.bits(), event.v_right.bits()});
     const auto length = static_cast<double>(bits);
     work += comparisons * (2000 + length * (1 + length / 2000));
     if (bits <= most_bits && work <= most) return false;
@@ -203,6 +204,9 @@ Result run(const Scene& scene) {
                        "allowed: fractions and one square root");
   }
   auto solved = by_theorem(scene);
+  const auto because = [&](const std::string& in_doubles) {
+    return (solved.why.empty() ? "" : solved.why + "; ") + in_doubles;
+  };
   if (solved && !solved->plan.is_exact) {
     if (!scene.is_exact) return *solved;
     if (solved->status == Status::collapse) return exactly(scene, std::move(*solved));
@@ -223,15 +227,15 @@ Result run(const Scene& scene) {
   } catch (const Undecided& error) {
     throw Undecided(error.what() + std::string(has_exact ? "; --exact may do" : ""));
   }
-  result.plan = {"events", false, "no decision is closer than doubles can tell"};
+  result.plan = {"events", false, because("no decision is closer than doubles can tell")};
   if (!result.is_undecided) return result;
-  result.plan.reason = close + "; the scene has no exact numbers";
+  result.plan.reason = because(close + "; the scene has no exact numbers");
   if (!has_exact) return result;
   try {
     result = motion<Quadratic>(scene, limit, {}, some_work);
-    result.plan = {"events", true, close + ", exact numbers decide"};
+    result.plan = {"events", true, because(close + ", exact numbers decide")};
   } catch (const Undecided& error) {
-    result.plan.reason = close + "; " + error.what();
+    result.plan.reason = because(close + "; " + error.what());
   }
   return result;
 }

@@ -85,7 +85,7 @@ std::string at_limit(std::int64_t limit);
 /// plan, since there numbers may be just between doubles. Nothing for other scenes, and where a
 /// collision may be as late as `until`. Throws Undecided where a trio that nothing cuts off has
 /// more collisions than can be counted.
-std::optional<Result> by_theorem(const Scene& scene);
+Found<Result> by_theorem(const Scene& scene);
 /// Every so many of its collisions; of a collapse at least the first three, and more while doubles
 /// can tell their times apart.
 void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink);

@@ -98,6 +98,15 @@ std::int64_t count_of(std::int64_t most, const Has& has) {
   return count;
 }
 
+/// It, or why it is not there.
+template <class T>
+struct Found : std::optional<T> {
+  std::string why;
+  Found(T found) : std::optional<T>(std::move(found)) {}
+  Found(std::string reason) : why(std::move(reason)) {}
+  Found(const char* reason) : why(reason) {}
+};
+
 /// Blocks A, B and a ball C between them; a block A, a ball C and a wall; any bodies.
 enum class Kind { three_body, wall, chain };
 

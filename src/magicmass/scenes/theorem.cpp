@@ -100,10 +100,10 @@ std::string at_limit(std::int64_t limit) {
          "; more with --max-events";
 }
 
-std::optional<Result> by_theorem(const Scene& scene) {
+Found<Result> by_theorem(const Scene& scene) {
   constexpr std::int64_t few = 64;
   const auto trios = Trios::of(scene);
-  if (!trios) return {};
+  if (!trios) return trios.why;
   const bool is_open = !trios->alone() || scene.until || scene.max_events;
   try {
     const auto events = within(*trios, scene);
@@ -120,7 +120,7 @@ std::optional<Result> by_theorem(const Scene& scene) {
       result.why =
           "infinitely many collisions; a list has the first three, and more while doubles can tell "
           "their times apart";
-    } else if (events != trios->count()) {
+    } else if (is_open && events != trios->count()) {
       const bool is_limit = events == scene.limit();
       const auto next = [&] { return std::vector{trios->collision(*events).time}; };
       result.status = Status::limited;
@@ -128,9 +128,9 @@ std::optional<Result> by_theorem(const Scene& scene) {
       result.known_until = is_limit ? certain(next)[0] : scene.until->to_double();
     }
     return result;
-  } catch (const Undecided&) {
+  } catch (const Undecided& error) {
     if (!is_open) throw;
-    return {};
+    return error.what();
   }
 }
 

@@ -8,6 +8,7 @@ namespace magicmass::scenes {
 namespace {
 using cln::cl_I;
 using cln::cl_RA;
+const std::string unknown = "differences or ratios of its numbers are not known exactly";
 /// A number for which no guard of a restitution form refuses anything.
 struct Unguarded : Ball {
   using Ball::Ball;
@@ -70,24 +71,33 @@ std::array<Ball, 3> places_seen(const Trio::Shape& s, const Swing& c, const Trio
 }
 }  // namespace
 
-std::optional<Trio> Trio::of(const Start& start) try {
+Found<Trio> Trio::of(const Start& start) try {
   const auto& [masses, e, V, r, d_A, d_B, place, drift, sign] = start;
-  const auto part = d_B.is(0) ? std::nullopt : quotient(d_A, d_B);
-  const bool is_first = !(Quadratic(0) < r) || (part && r * *part < 1);
-  if (!is_first || !V.is_positive()) return {};
   Trio t;
   t.from_ = start;
-  if (t.bodies() == 3 && masses[0].is(1) && masses[2].is(1) && e.is(1) && t.is_at_rest())
+  t.exact_ = t.exact_bodies();
+  const auto part = d_B.is(0) ? std::nullopt : quotient(d_A, d_B);
+  t.is_at_once_ = part ? r * *part == 1 : d_B.is(0) && (r == 0 || d_A.is(0));
+  const bool is_first = !(0 < r) || (t.is_at_once_ ? r < 1 : part && r * *part < 1);
+  if (!V.is_positive()) return "";
+  if (!is_first) return t.is_at_once_ && r == 1 ? "all three meet at once, both as fast" : "";
+  if (t.bodies() == 3 && masses[0].is(1) && masses[2].is(1) && e.is(1))
     t.at_threshold_ = t.count_at_threshold();
-  if (r < 0 && !t.has_told_end()) return {};
+  if (r < 0)
+    with_bits(17, [&] {
+      const Shape s = t.shape();
+      return s.q_e > 0 || Ball(end_of(s, t.start()).end_speed) > 0;
+    });
   return t;
-} catch (const std::domain_error&) {  // numbers of two fields
-  return {};
+} catch (const std::domain_error&) {
+  return unknown;
+} catch (const Undecided&) {
+  return "B runs away at, or too near, the one speed at which collisions never end, nor in time";
 }
-std::optional<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
+Found<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
   const auto &wall = is_mirrored ? scene.left_wall : scene.right_wall,
              &behind = is_mirrored ? scene.right_wall : scene.left_wall;
-  if (scene.masses.size() + (wall ? 1 : 0) != 3 || behind) return {};
+  if (scene.masses.size() + (wall ? 1 : 0) != 3 || behind) return "";
   std::vector<Value> masses = scene.masses, x = scene.positions, v = scene.velocities;
   if (is_mirrored)
     for (auto* const values : {&masses, &x, &v}) std::ranges::reverse(*values);
@@ -98,9 +108,10 @@ std::optional<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
   };
   const auto V = over(v[1], v[0]), U = over(v[2], v[0]);
   const auto d_A = over(x[0], x[1]), d_B = over(x[1], x[2]);
-  if (!V || !U || !d_A || !d_B) return {};
+  if (!V || !U || !d_A || !d_B) return unknown;
+  if (V->is(0)) return "";
   const auto U_per_V = quotient(*U, *V);
-  if (!U_per_V) return {};
+  if (!U_per_V) return unknown;
   return of(
       {masses, scene.restitution, *V, *U_per_V - 1, *d_A, *d_B, x[2], v[2], is_mirrored ? -1 : 1});
 }
@@ -108,17 +119,13 @@ Trio Trio::equal_blocks(const Value& alpha, const Value& e) {
   return *of(Start{{value_of(1), alpha, value_of(1)}, e});
 }
 
-std::optional<std::array<Quadratic, 4>> Trio::exact_bodies() const {
+std::optional<Trio::Exact> Trio::exact_bodies() const try {
   const std::vector<Value>& m = from_.masses;
   if (!from_.e.exact() || !std::ranges::all_of(m, &Value::exact)) return {};
   const Quadratic per_B = bodies() == 3 ? Quadratic(1) / *m[2].exact() : Quadratic(0);
-  return {{*m[0].exact(), *m[1].exact(), per_B, *from_.e.exact()}};
-}
-std::optional<Quadratic> Trio::exact_q_e() const try {
-  const auto exact = exact_bodies();
-  if (!exact) return {};
-  const auto& [A, C, per_B, e] = *exact;
-  return generated::shape_exact(A, per_B, C, e).q_e;
+  const Quadratic &A = *m[0].exact(), &C = *m[1].exact(), &e = *from_.e.exact();
+  const auto [K, q_e] = generated::shape_exact(A, per_B, C, e);
+  return {{A, C, per_B, e, K, q_e}};
 } catch (const std::domain_error&) {
   return {};
 }
@@ -126,8 +133,7 @@ Trio::Shape Trio::shape() const {
   const std::vector<Value>& m = from_.masses;
   const Ball C = ball_of(m[1]);
   Shape s{C, ball_of(m[0]) / C, bodies() == 3 ? C / ball_of(m[2]) : Ball(0), ball_of(from_.e), 0};
-  const auto q_e = exact_q_e();
-  s.q_e = q_e ? ball_of(*q_e) : generated::shape_exact<Ball>(s.A, s.per_B, 1, s.e).q_e;
+  s.q_e = exact_ ? ball_of(exact_->q_e) : generated::shape_exact<Ball>(s.A, s.per_B, 1, s.e).q_e;
   if (s.q_e > 0) {
     const auto angle = value_of_form(generated::angle_restitution<Unguarded>, s, s.q_e);
     s.h_e = angle.h_e;
@@ -137,33 +143,51 @@ Trio::Shape Trio::shape() const {
   }
   return s;
 }
-/// magic.counts, deficient.counts
+/// magic.counts, deficient.counts. After the 2 k of rest U_(2 k) = U_k^2 - U_(k-1)^2 is 0, so that
+/// of bodies that begin with W = -V the next two are side by side after k.
 std::optional<std::int64_t> Trio::count_at_threshold() const {
-  if (const auto* const ratio = from_.masses[1].ratio())
-    return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
+  const auto* const ratio = from_.masses[1].ratio();
+  if (ratio && ratio->is_magic && from_.W_per_V == -1) return cln::cl_I_to_long(ratio->k);
+  if (!is_at_rest()) return {};
+  if (ratio) return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
   const auto end = first_collisions(largest_tie);
   const bool is_one = end && end->velocities[0] == 0 && end->velocities[1] == 0;
   return is_one ? std::optional(end->collisions) : std::nullopt;
 }
 std::optional<simulator::InTurn<Quadratic>> Trio::first_collisions(std::int64_t most) const try {
-  const auto exact = exact_bodies();
-  if (!exact) return {};
-  const auto& [A, C, per_B, e] = *exact;
-  simulator::InTurn<Quadratic> now(A, C, per_B, e, 1, from_.W_per_V);
-  const auto& v = now.velocities;
-  const auto approach = [&] { return now.collisions % 2 == 0 ? v[1] < v[0] : v[2] < v[1]; };
-  while (now.collisions <= most && approach()) now.step();
+  if (!exact_) return {};
+  simulator::InTurn<Quadratic> now(exact_->A, exact_->C, exact_->per_B, exact_->e, 1,
+                                   from_.W_per_V);
+  while (now.collisions <= most && Quadratic(0) < now.approach()) now.step();
   return now;
 } catch (const std::domain_error&) {  // masses and velocities of two fields
+  return {};
+}
+/// By any_start.speed each second approach speed, over e each time, is a sum of each second
+/// U_j(kappa): one by one from U_(j+4) = (4 kappa^2 - 2) U_(j+2) - U_j, or where kappa is 1 evenly.
+std::optional<std::int64_t> Trio::exact_count() const {
+  auto now = first_collisions(-1);
+  if (!now) return {};
+  std::array<Quadratic, 4> speeds;
+  for (std::size_t j = 0; j < 4; now->step(), ++j)
+    speeds[j] = j < 2 ? now->approach() : now->approach() / exact_->e;
+  if (exact_->q_e == 0)
+    return count_of(std::int64_t(1) << 62U, [&](std::int64_t j) {
+      const Quadratic &first = speeds[j % 2], &next = speeds[j % 2 + 2];
+      return 0 < first + Quadratic(cl_I(static_cast<long long>(j / 2))) * (next - first);
+    });
+  for (std::size_t j = 0; speeds[j % 4].bits() < longest_tie; ++j) {
+    if (!(0 < speeds[j % 4])) return j;
+    speeds[j % 4] = (4 * exact_->K - 2) * speeds[(j + 2) % 4] - speeds[j % 4];
+  }
   return {};
 }
 std::optional<std::int64_t> Trio::count() const {
   if (at_threshold_) return at_threshold_;
   const cl_I most = cln::ash(cl_I(1), 62);
-  const auto exact = exact_q_e();
-  if (exact && Quadratic(0) < *exact) {
+  if (exact_ && 0 < exact_->q_e) {
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
-    if (is_at_rest() && *exact < Quadratic(cl_RA(1) / cln::square(most))) too_many();
+    if (is_at_rest() && exact_->q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
     // A tie of pi/h_e with a whole number is decided collision by collision.
     const auto few = first_collisions(largest_tie);
     if (few && few->collisions <= largest_tie) return few->collisions;
@@ -187,8 +211,7 @@ std::optional<std::int64_t> Trio::count() const {
     if (N >= most) too_many();
     return cln::cl_I_to_long(cln::numerator(N));
   } catch (const Undecided&) {
-    const auto few = is_at_rest() ? std::nullopt : first_collisions(longest_tie);
-    if (few && few->collisions <= longest_tie) return few->collisions;
+    if (const auto N = exact_count()) return N;
     throw;
   }
 }
@@ -196,15 +219,6 @@ std::optional<std::int64_t> Trio::count() const {
 Trio::FromB Trio::start() const {
   const Ball V = ball_of(from_.V);
   return {V, ball_of(from_.W_per_V) * V, ball_of(from_.d_A), ball_of(from_.d_B)};
-}
-bool Trio::has_told_end() const try {
-  return with_bits(17, [&] {
-    const Shape s = shape();
-    const Ball speed = s.q_e > 0 ? Ball(1) : Ball(end_of(s, start()).end_speed);
-    return speed > 0 || speed < 0;
-  });
-} catch (const Undecided&) {
-  return false;
 }
 Ball Trio::place_of(const Ball& time, const Ball& place) const {
   return from_.sign * (ball_of(from_.drift) * time + ball_of(from_.place)) + place;
@@ -214,7 +228,7 @@ Trio::Velocities Trio::seen(const Shape& s, std::int64_t j) const {
   const auto [V, W, d_A, d_B] = start();
   Velocities all = places_seen(s, swing_of(s, j), {V, W, 0, 0}, 1);  // any_start.linear
   const auto& N = at_threshold_;
-  if (N && *N % 2 == 0) {  // magic.velocities
+  if (N && *N % 2 == 0 && is_at_rest()) {  // magic.velocities
     if (j >= *N - 2) all[0] = 0;
     if (j == *N - 1) all = {0, 0, V};
   }
@@ -230,10 +244,9 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
 }
 std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
   const auto met = quotient(from_.d_A, from_.V), later = quotient(from_.d_B, from_.V);
-  const bool is_at_once = from_.d_B.is(0) && (is_at_rest() || from_.d_A.is(0));
-  if (j == 0 || is_at_once) return met;
+  if (j == 0 || is_at_once_) return met;
   // L/V sin(jh)/sin((j+1)h) later, (2j+1)h = pi
-  if (met && later && at_threshold_ && *at_threshold_ == 2 * j) return *met + *later;
+  if (met && later && is_at_rest() && at_threshold_ == 2 * j) return *met + *later;
   return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {

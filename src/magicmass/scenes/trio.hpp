@@ -24,12 +24,12 @@ public:
     Value place = value_of(1), drift = value_of(0);  ///< of B or the wall, and its velocity
     int sign = 1;                                    ///< of these two, as in a mirror
   };
-  /// Nothing where A does not meet the ball first, and where B runs away just so fast that they
-  /// never end, nor in time.
-  static std::optional<Trio> of(const Start& start);
+  /// Nothing, and no reason, where A does not meet the ball first. Of three that meet at once the
+  /// faster comes first.
+  static Found<Trio> of(const Start& start);
   /// Nothing for other bodies, too, and where differences of places or ratios of velocities are not
   /// known to be values.
-  static std::optional<Trio> of(const Scene& scene, bool is_mirrored = false);
+  static Found<Trio> of(const Scene& scene, bool is_mirrored = false);
   /// Blocks of mass 1, a ball of mass alpha.
   static Trio equal_blocks(const Value& alpha, const Value& e);
 
@@ -40,7 +40,7 @@ public:
   std::optional<std::int64_t> count() const;
 
   /// How many they are where the paper's theorems say so: at its ratios, with blocks of mass 1 and
-  /// nothing lost.
+  /// nothing lost, from rest or with the ball alone in motion.
   std::optional<std::int64_t> at_threshold() const { return at_threshold_; }
 
   /// What all of the motion depends on, with the bits that are set now; in units of the mass of C.
@@ -77,26 +77,27 @@ private:
   /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
   /// for larger m.
   static constexpr std::int64_t largest_tie = 12;
-  /// Of collisions that end with B just as fast as what it would meet next; later ones are
-  /// undecided.
-  static constexpr std::int64_t longest_tie = 500;
+  static constexpr std::size_t longest_tie = 1U << 15U;  ///< in bits
   Start from_;
+  bool is_at_once_ = false;  ///< all collisions, with the first
+  /// Of A and C, 1 / that of B, and more; nothing for numbers of two fields, or of none.
+  struct Exact {
+    Quadratic A, C, per_B, e, K, q_e;
+  };
+  std::optional<Exact> exact_;
   std::optional<std::int64_t> at_threshold_;
 
-  /// Exactly, in units of V, at most one more than `most` of them. Nothing for numbers of two
-  /// fields, or of none.
+  /// Exactly, in units of V, at most one more than `most` of them. Nothing likewise.
   std::optional<simulator::InTurn<Quadratic>> first_collisions(std::int64_t most) const;
+  /// Nothing, too, where numbers become too long.
+  std::optional<std::int64_t> exact_count() const;
   using Velocities = std::array<Ball, 3>;
   FromB start() const;
   /// Velocities after collision j, of A, C and B, as seen from B before it is met.
   Velocities seen(const Shape& s, std::int64_t j) const;
-  /// Whether theorems tell the end. False, too, where that is too close to tell.
-  bool has_told_end() const;
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const;
-  /// Of A and C, 1 / that of B, and e.
-  std::optional<std::array<Quadratic, 4>> exact_bodies() const;
-  std::optional<Quadratic> exact_q_e() const;
+  std::optional<Exact> exact_bodies() const;
   /// What is in a quadratic field is stepped: by Niven's theorem it is no large alpha_k.
   std::optional<std::int64_t> count_at_threshold() const;
 };
@@ -109,7 +110,7 @@ public:
   /// Nothing where the scene is neither of them, as it is and in a mirror. Of a cradle all but the
   /// first body are at rest, nothing is lost, blocks have mass 1, and no block reaches what is
   /// behind it before the ball before it rests.
-  static std::optional<Trios> of(const Scene& scene);
+  static Found<Trios> of(const Scene& scene);
 
   /// The only one.
   const Trio* alone() const { return is_cradle_ ? nullptr : &pairs_[0].trio; }
@@ -156,10 +157,9 @@ private:
   mutable std::map<std::pair<int, std::int64_t>, Trio::Shape> shapes_;
 
   /// Likewise, but not in a mirror.
-  static std::optional<Trios> of(const std::vector<Value>& masses,
-                                 const simulator::Line<Quadratic>& line);
-  static std::optional<Trios> off_wall(const std::vector<Value>& masses,
-                                       const simulator::Line<Quadratic>& line);
+  static Found<Trios> of(const std::vector<Value>& masses, const simulator::Line<Quadratic>& line);
+  static Found<Trios> off_wall(const std::vector<Value>& masses,
+                               const simulator::Line<Quadratic>& line);
   void be_alone(const Trio& trio);
   const Trio::Shape& shape_of(const Pair& pair) const;
   /// After so many collisions all comes again, only later.

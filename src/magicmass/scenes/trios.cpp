@@ -5,6 +5,8 @@ namespace magicmass::scenes {
 namespace {
 
 constexpr std::int64_t most_of_way = std::int64_t(1) << 60;
+const std::string none_comes = "no block comes to the ball";
+const std::string ends = "no cradle, which begins and ends with a block, one of which alone moves";
 
 /// Does B reach this place only after the last collision of its trio?
 bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
@@ -22,37 +24,41 @@ void Trios::be_alone(const Trio& trio) {
   pairs_ = {{trio, way_ / 2, 0, 0}};
 }
 
-std::optional<Trios> Trios::of(const Scene& scene) {
-  Trios all;
-  for (const bool is_mirrored : {false, true})
-    if (const auto trio = Trio::of(scene, is_mirrored)) {
-      all.is_mirrored_ = is_mirrored;
-      all.be_alone(*trio);
-      return all;
-    }
+Found<Trios> Trios::of(const Scene& scene) {
+  std::string why;
+  for (const bool is_mirrored : {false, true}) {
+    const auto trio = Trio::of(scene, is_mirrored);
+    if (why.empty()) why = trio.why;
+    if (!trio) continue;
+    Trios all;
+    all.is_mirrored_ = is_mirrored;
+    all.be_alone(*trio);
+    return all;
+  }
+  if (!why.empty()) return why;
+  if (scene.masses.size() == 3 && !scene.left_wall && !scene.right_wall) return none_comes;
   Scene exact = scene;  // but for the masses
   exact.masses.assign(scene.masses.size(), value_of(1));
   exact.times.clear();
   exact.until.reset();
-  if (!has_exact_numbers(exact)) return {};
+  if (!has_exact_numbers(exact)) return "its numbers are of more than one field";
   auto line = line_of<Quadratic>(exact);
   auto cradle = of(scene.masses, line);
   if (cradle) return cradle;
   exact.masses = scene.masses;
   std::ranges::reverse(exact.masses);
-  cradle = of(exact.masses, simulator::mirrored(std::move(line)));
-  if (cradle) cradle->is_mirrored_ = true;
-  return cradle;
+  auto mirrored = of(exact.masses, simulator::mirrored(std::move(line)));
+  if (mirrored) mirrored->is_mirrored_ = true;
+  return mirrored || cradle.why == ends || cradle.why == none_comes ? mirrored : cradle;
 }
 
-std::optional<Trios> Trios::of(const std::vector<Value>& masses,
-                               const simulator::Line<Quadratic>& line) {
+Found<Trios> Trios::of(const std::vector<Value>& masses, const simulator::Line<Quadratic>& line) {
   Trios all;
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
   if (bodies == 2) return off_wall(masses, line);
-  if (bodies < 3 || bodies % 2 == 0) return {};
-  if (std::any_of(v.begin() + 1, v.end(), [](const Quadratic& u) { return !(u == 0); })) return {};
+  const auto moves = [](const Quadratic& u) { return !(u == 0); };
+  if (bodies < 3 || bodies % 2 == 0 || std::any_of(v.begin() + 1, v.end(), moves)) return ends;
   all.x_ = x[0];
   all.V_ = v[0];
   all.ahead_ = line.right_wall;
@@ -65,26 +71,31 @@ std::optional<Trios> Trios::of(const std::vector<Value>& masses,
                                 .d_A{"", x[ball] - x[0]},
                                 .d_B{"", L},
                                 .place{"", x[ball + 1]}});
-    const std::int64_t N = trio ? trio->at_threshold().value_or(1) : 1, k = N / 2;
-    if (N % 2 != 0 || !(Quadratic(0) < L)) return {};
+    if (!trio) return none_comes;
+    const std::int64_t N = trio->at_threshold().value_or(1), k = N / 2;
+    if (N % 2 != 0)
+      return "no cradle, which has blocks of mass 1, balls of magic ratios and no loss";
+    if (!(0 < L)) return "no cradle: a ball touches the next block";
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
-    if (next && *next - x[ball + 1] < L && !has_room(*trio, k, *next)) return {};  // cradle.room
+    if (next && *next - x[ball + 1] < L && !has_room(*trio, k, *next))
+      return "no cradle: a block comes to what is behind it before its ball rests";  // cradle.room
     all.pairs_.push_back({*trio, k, all.way_, std::ssize(all.pairs_) * 2});
     all.way_ += N;  // cradle.number
-    if (all.way_ > most_of_way) return {};
+    if (all.way_ > most_of_way) return "a cradle of more than 2^60 collisions";
   }
   return all;
 }
 
-std::optional<Trios> Trios::off_wall(const std::vector<Value>& masses,
-                                     const simulator::Line<Quadratic>& line) {
-  if (!line.right_wall || line.left_wall) return {};
+Found<Trios> Trios::off_wall(const std::vector<Value>& masses,
+                             const simulator::Line<Quadratic>& line) {
+  if (line.right_wall && line.left_wall) return "a ball or a block between two walls";
+  if (!line.right_wall) return line.left_wall ? none_comes : "only two bodies";
   const Quadratic wall = *line.right_wall, e = line.restitution, none(0);
   const Quadratic W = line.velocities[1], V = line.velocities[0] - W;
   const Quadratic d_A = line.positions[1] - line.positions[0], d_B = wall - line.positions[1];
-  if (!(none < W) || (none < V && !(V * d_B < W * d_A))) return {};
+  const bool is_first = V < W ? !(W * d_A < V * d_B) : V * d_B < W * d_A;
   const Quadratic faster = V + W + e * W;
-  if (!(none < faster)) return {};
+  if (!(0 < W) || (0 < V && !is_first) || !(0 < faster)) return none_comes;
   const auto trio = Trio::of({.masses = masses,
                               .e{"", e},
                               .V{"", faster},
@@ -92,7 +103,7 @@ std::optional<Trios> Trios::off_wall(const std::vector<Value>& masses,
                               .d_A{"", d_A + d_B + e * d_B},
                               .d_B{"", none - e * d_B},
                               .place{"", wall}});
-  if (!trio) return {};
+  if (!trio) return trio.why.empty() ? none_comes : trio.why;
   Trios all;
   all.be_alone(*trio);
   all.thrown_ = line;

@@ -20,17 +20,21 @@ struct InTurn {
          const Scalar& V = 1, const Scalar& W = 0)
       : velocities{V + W, W, 0}, masses_{{{A, C}, {C * per_B, 1}}}, e_(e) {}
 
+  /// Of the two that are next: they collide where it is above 0.
+  Scalar approach() const { return velocities[left()] - velocities[left() + 1]; }
   /// On to just after the next collision, which must exist.
   void step() {
-    const std::size_t left = collisions++ % 2 == 0 ? 0 : 1;
-    Body<Scalar> one{masses_[left][0], 0, velocities[left]};
-    Body<Scalar> other{masses_[left][1], 0, velocities[left + 1]};
+    const std::size_t i = left();
+    Body<Scalar> one{masses_[i][0], 0, velocities[i]};
+    Body<Scalar> other{masses_[i][1], 0, velocities[i + 1]};
     collide(one, other, e_);
-    velocities[left] = one.velocity;
-    velocities[left + 1] = other.velocity;
+    velocities[i] = one.velocity;
+    velocities[i + 1] = other.velocity;
+    ++collisions;
   }
 
 private:
+  std::size_t left() const { return collisions % 2 == 0 ? 0 : 1; }
   std::array<std::array<Scalar, 2>, 2> masses_;  // of both that collide, in any unit
   Scalar e_;
 };

@@ -33,21 +33,16 @@ std::string random_chain(std::uint64_t seed, bool only_halves) {
          (random() % 3 == 0 ? "restitution = 0.9\n" : "") + "max_events = 12\n";
 }
 
-/// With magic ratios by name, and as numbers.
-struct Texts {
-  std::string named, exact;
-};
-Texts random_cradle(std::mt19937_64& random) {
+std::string random_cradle(std::mt19937_64& random) {
   const std::size_t bodies = 3 + 2 * (random() % 4);
   const auto fraction = [](std::int64_t above) { return "'" + std::to_string(above) + "/7'"; };
-  std::vector<std::string> named, exact, positions, velocities;
+  std::vector<std::string> masses, positions, velocities;
   std::int64_t place = -5, L = 0;
   for (std::size_t i = 0; i < bodies; ++i) {
     positions.push_back(fraction(place));
     velocities.push_back(i == 0 ? "'3/2'" : "0");
     const bool is_second = random() % 2 == 0;
-    named.push_back(i % 2 == 0 ? "1" : is_second ? "'magic:2'" : "'magic:1'");
-    exact.push_back(i % 2 == 1 && is_second ? "'sqrt(5)-2'" : "1");
+    masses.push_back(i % 2 == 0 || !is_second ? "1" : "'sqrt(5)-2'");
     const auto least = static_cast<std::uint64_t>(is_second ? 9 * L / 14 + 1 : 1);
     const auto step = static_cast<std::int64_t>(least + random() % 9);
     if (i % 2 == 1) L = step;
@@ -56,13 +51,9 @@ Texts random_cradle(std::mt19937_64& random) {
   const bool has_left = random() % 2 == 0, has_right = random() % 2 == 0;
   const auto cut = random() % 3 == 0 ? "until = '" + std::to_string(random() % 9000) + "/97'\n"
                                      : "max_events = " + std::to_string(1 + random() % 200) + "\n";
-  const std::string rest = "kind = 'chain'\npositions = " + list(positions) +
-                           "velocities = " + list(velocities) +
-                           (has_left ? "left_wall = '-38/7'\n" : "") +
-                           (has_right ? "right_wall = " + fraction(place + 9) + "\n" : "") + cut;
-  // A time outside of the field has the theorem asked for few collisions, too.
-  const std::string inexact = "outputs = ['trajectory']\ntimes = ['magic:3']\n";
-  return {rest + "masses = " + list(named) + inexact, rest + "masses = " + list(exact)};
+  return "kind = 'chain'\nmasses = " + list(masses) + "positions = " + list(positions) +
+         "velocities = " + list(velocities) + (has_left ? "left_wall = '-38/7'\n" : "") +
+         (has_right ? "right_wall = " + fraction(place + 9) + "\n" : "") + cut;
 }
 
 }  // namespace
@@ -89,7 +80,6 @@ TEST_CASE("values are kept as what they are, what is none is refused", "[exam]")
   CHECK_NOTHROW(read_value("1/7 "));
   CHECK_NOTHROW(read_value("magic:1125899906842624"));
   CHECK_THROWS_WITH(read_value(std::string(5000, '1')), "5000 characters, at most 4096");
-  CHECK_THROWS_WITH(value_of(INFINITY), "not a finite number");
 }
 
 TEST_CASE("doubles and exact numbers have the same collisions", "[check]") {
@@ -144,15 +134,17 @@ TEST_CASE("random cradles by theorem, in exact numbers, and in a mirror", "[chec
   int cradles = 0, limited = 0;
   std::size_t longest = 0;
   for (int i = 0; i < 80; ++i) {
-    const Texts texts = random_cradle(random);
-    INFO(texts.named);
-    const Scene scene = scene_of(texts.named), exact_scene = scene_of(texts.exact, true);
+    const std::string text = random_cradle(random);
+    INFO(text);
+    // A time outside of the field has the theorem asked for few collisions, too.
+    const Scene scene = scene_of(text + "outputs = ['trajectory']\ntimes = ['magic:3']\n"),
+                exact_scene = scene_of(text, true);
     const Result result = run(scene);
     if (result.plan.model != "transfers") continue;
     ++cradles;
     REQUIRE_FALSE(result.plan.is_exact);
     const Result exact = run(exact_scene), image = run(mirrored(scene));
-    REQUIRE(result_of(texts.exact).plan.model == "transfers");
+    REQUIRE(result_of(text).plan.model == "transfers");
     REQUIRE(image.plan.model == "transfers");
     check_mirrored(result, image);
     check_mirrored(image, exact);
@@ -173,10 +165,8 @@ TEST_CASE("random cradles by theorem, in exact numbers, and in a mirror", "[chec
     limited += result.status == Status::limited ? 1 : 0;
     longest = std::max(longest, rows.size());
   }
-  CHECK(cradles > 50);
-  CHECK(limited > 20);
-  CHECK(limited < cradles);
-  CHECK(longest > 150);
+  CHECK((limited > 20 && limited < cradles));
+  CHECK((cradles > 50 && longest > 150));
 }
 
 TEST_CASE("a cradle of larger numbers moves as doubles do", "[check]") {
@@ -195,9 +185,8 @@ TEST_CASE("places at given times are those of the engine", "[check]") {
   std::string times;
   for (int n = 0; n < 300; ++n) times += "'" + std::to_string(n) + "/5',";
   for (const std::string name : {"cradle", "chain", "wall", "drifting"}) {
-    const std::string file =
-        MAGICMASS_SOURCE "/tests/src/magicmass/scenes/places/" + name + ".toml";
-    const std::string text = text_of(file, "a scene");
+    const std::string folder = MAGICMASS_SOURCE "/tests/src/magicmass/scenes/places/",
+                      text = text_of(folder + name + ".toml", "a scene");
     for (const bool exact : {true, false}) {
       const Scene scene =
           scene_of(text + "outputs = ['trajectory']\ntimes = [" + times + "70]\n", exact);

