@@ -69,7 +69,7 @@ void write_answers(const Asked& asked, CsvReader& reader, answers::Rows rows, De
         writer.append(text, block, row);
         continue;
       }
-      place = reader.place(size - 1 - row);
+      place = reader.position(size - 1 - row);
       for (auto& cells : command.run(rows.request(row)).table.rows) {
         for (const answers::Cell& cell : cells) bytes += cell.text.size() + cell.json.size();
         alone.push_back(std::move(cells));
@@ -98,7 +98,7 @@ void answer_rows(const Asked& asked, Destination& output, const Tell& tell, std:
       throw InvalidInput(column + ": given twice, as an option and as a column");
   for (const Option& option : asked.command->options)
     if (option.is_required && !any_row.has(option.name))
-      throw InvalidInput(reader.place() + "no column " + option.name);
+      throw InvalidInput(reader.position() + "no column " + option.name);
   write_answers(asked, reader, rows, output, tell, place);
 }
 

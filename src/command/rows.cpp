@@ -58,10 +58,10 @@ void CsvReader::cannot_read() const {
 }
 
 void CsvReader::refuse(const std::string& what) const {
-  throw answers::InvalidInput(place() + what);
+  throw answers::InvalidInput(position() + what);
 }
 
-std::string CsvReader::place(std::size_t before) const {
+std::string CsvReader::position(std::size_t before) const {
   return source_ + ":" + std::to_string(number_ - static_cast<std::int64_t>(before)) + ": ";
 }
 

@@ -29,7 +29,7 @@ public:
   /// Whether the next line is still to be written by whoever writes into the pipe.
   bool waits() const;
   /// "FILE:LINE: " of the last row, or of one so many rows before.
-  std::string place(std::size_t before = 0) const;
+  std::string position(std::size_t before = 0) const;
 
 private:
   std::string source_;

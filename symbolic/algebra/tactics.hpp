@@ -155,6 +155,13 @@ Theorem times(const Theorem& a, Expr positive_term);
 /// theorems, if its angle is a combination of them with integer coefficients; where `circle` is
 /// true, also sin^2 = 1 - cos^2 of each base.
 Theorems angles(const Exprs& terms, const Exprs& bases, bool circle = true);
+/// |- cos(pi/d) = ... and |- sin(pi/d) = ... in square roots, for 2^i, 3, 5 and 15 times that; the
+/// signs: 0 < x for each root in them. Nothing for other d.
+struct PartOfPi {
+  Theorem cosine, sine;
+  Theorems signs;
+};
+std::optional<PartOfPi> part_of_pi(int d);
 /// p = q from cos(p) = cos(q), as the cosine falls from 0 to pi: `linear` finds p and q there.
 Theorem same_angle(const Theorem& cosines, const Theorems& facts = {});
 /// cos(q) < cos(p) from p < q, <= from p <= q: `linear` finds 0 <= p and q <= pi.

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The first ratios in square roots: sums of cosines of 2 k pi/p, p = 5 and 17, solve quadratic
-// equations (Gauss' periods); halves and a difference of angles give the others.
+// The first ratios in square roots; for a seventeenth of pi, sums of cosines solve four quadratic
+// equations (Gauss' periods).
 #include <algorithm>
 
 #include "derivation/symbols.hpp"
 
 namespace derivation {
 namespace {
-Expr angle_of(int d) { return pi() / d; }
-
-/// 0 < x, x < pi |- cos(x/2) = sqrt((1 + cos(x))/2)
-Theorem halving(Book& book) {
-  const Known range({assume(lt(0, x)), assume(lt(x, pi()))});
-  const Expr half = (1 + cos(x)) / 2;
-  const Theorem square = equation(power(cos(x / 2), 2), half, angles({cos(x)}, {x / 2}));
-  know(linear(le(0, half), {square, not_negative(power(cos(x / 2), 2))}));
-  return book.show("halving", "Half of an angle between 0 and pi:",
-                   turned(root_of(square, positive(cos(x / 2)))));
-}
 /// u and v from u + v = s, (u - v)^2 = d and v < u.
 struct Quadratic {
   Quadratic(const Theorem& sum, const Theorem& square, const Theorem& less)
@@ -90,33 +79,6 @@ Theorem opposite(const Periods& of) {
   const Theorem back = at(equation(cos(pi() - x), -cos(x), {}, {pi(), x}), {{x, t}});
   return linear(eq(cos(t), -of.cosine(of.p / 2)), {back});
 }
-/// |- cos(pi/5) = (1 + sqrt(5))/4, and what the cosine of 2 pi/5 is
-struct Fifth {
-  Theorem cosine, twice;
-};
-Fifth fifth(Book& book) {
-  const Periods of(5);
-  const Expr u = of.period({1}), v = of.period({2});
-  const Quadratic q(of.known(eq(u + v, -1)), of.known(eq(power(u - v, 2), 5)),
-                    linear(lt(v, u), {of.falls(1, 2)}));
-  const Expr s = sqrt(Expr(5));
-  return {book.show("fifth", "The cosine of a fifth of pi:",
-                    linear(eq(cos(pi() / 5), (1 + s) / 4), {opposite(of), q.smaller})),
-          linear(eq(of.cosine(1), (s - 1) / 4), {q.greater})};
-}
-/// |- cos(pi/15), from 2 pi/5 - pi/3
-Theorem fifteenth(const Theorem& cos_fifth, const Theorem& cos_third) {
-  const Expr twice = 2 * pi() / 5, third = pi() / 3, s = sqrt(Expr(5));
-  const auto sine = [&](Expr t, Expr squared, const Theorem& cosine) {
-    return turned(root_is(squared, sin(t), angles({}, {t}) + Theorems{cosine}));
-  };
-  const Theorem cosine = restate(eq(cos(twice), (s - 1) / 4), cos_fifth);
-  const Theorem difference = equation(cos(x - y), cos(x) * cos(y) + sin(x) * sin(y), {}, {x, y});
-  const Theorem is = at(difference, {{x, twice}, {y, third}});
-  return equation(cos(pi() / 15), (s - 1) / 8 + sqrt((5 + s) / 8) * sqrt(rational(3, 4)),
-                  {restate(eq(cos(pi() / 15), right(is)), is), cosine, cos_third,
-                   sine(twice, (5 + s) / 8, cosine), sine(third, rational(3, 4), cos_third)});
-}
 /// |- cos(pi/17), by four quadratic equations
 Theorem seventeenth(Book& book) {
   const Periods of(17);
@@ -155,39 +117,25 @@ Theorem seventeenth(Book& book) {
 void radicals(Book& book) {
   book.chapter("radicals", "The first ratios in square roots", {});
   const Known in_this_chapter;
-  const Theorem half_of = halving(book);
-  std::map<int, Theorem> cosines;
-  cosines.emplace(2, axiom("cos pi/2"));
-  cosines.emplace(3, restate(eq(cos(angle_of(3)), rational(1, 2)), book["ratios.third"]));
-  const Fifth of_5 = fifth(book);
-  cosines.emplace(5, of_5.cosine);
-  cosines.emplace(15, fifteenth(of_5.twice, cosines.at(3)));
-  cosines.emplace(17, seventeenth(book));
-  for (const int d : {4, 6, 8, 10, 12, 16, 20}) {
-    const Theorem value = rewrite(cosines.at(d / 2), at(half_of, {{x, angle_of(d / 2)}}));
-    const Expr under_root = simplified(right(value).arg(0));
-    const Theorem simpler = rewrite(equation(right(value).arg(0), under_root), value);
-    cosines.emplace(d, restate(eq(cos(angle_of(d)), sqrt(under_root)), simpler));
-  }
-  const Expr two = sqrt(Expr(2)), three = sqrt(Expr(3));
-  const std::map<int, std::pair<Expr, Theorems>> forms{
-      // no root of a fraction
-      {4, {two - 1, {root_is(rational(1, 2), 1 / two)}}},
-      {5, {sqrt(Expr(5)) - 2, {}}},
-      {6, {2 / three - 1, {root_is(rational(3, 4), three / 2)}}},
-      {17, {4 / right(cosines.at(17)).arg(1) - 1, {}}}};  // its cosine is (...)/4
-  for (const int d : {4, 5, 6, 8, 10, 12, 15, 16, 17, 20}) {
+  std::map<int, Theorem> cosines{{17, seventeenth(book)}};
+  for (const int d : {4, 5, 6, 8, 10, 12, 15, 16, 20}) cosines.emplace(d, part_of_pi(d)->cosine);
+  book.show("fifth", "The cosine of a fifth of pi:", cosines.at(5));
+  const std::map<int, Expr> forms{{4, sqrt(Expr(2)) - 1}, {5, sqrt(Expr(5)) - 2}};
+  for (const auto& [d, cosine_of] : cosines) {
     const bool magic = d % 2 == 1;
     const int index = magic ? (d - 1) / 2 : d / 2 - 1;
     const std::string name = magic ? "alpha_" : "beta_";
     const Theorem definition = at(book["ratios." + name + "k_paper"], {{k, index}});
     const Expr angle = right(definition).arg(1).arg(0).arg(0);
-    const Theorem cosine = restate(eq(cos(angle), right(cosines.at(d))), cosines.at(d));
+    const Theorem cosine = restate(eq(cos(angle), right(cosine_of)), cosine_of);
     know(linear(lt(0, right(cosine)), {cosine, Periods::falls(angle, pi() / 2)}));
-    Theorem value = rewrite(cosine, definition);
-    if (const auto form = forms.find(d); form != forms.end())
-      value = chain(value, equation(right(value), form->second.first, form->second.second));
-    book.show(name + std::to_string(index), "The ratio of pi/" + std::to_string(d) + ":", value);
+    const Theorem value = rewrite(cosine, definition);
+    const auto form = forms.find(d);
+    const Expr quotient = right(cosine);  // a number times a sum of roots
+    const Expr ratio =
+        form == forms.end() ? 1 / quotient.arg(0) / quotient.arg(1) - 1 : form->second;
+    book.show(name + std::to_string(index), "The ratio of pi/" + std::to_string(d) + ":",
+              chain(value, equation(right(value), ratio)));
   }
 }
 }  // namespace derivation

@@ -115,22 +115,11 @@ void order(Book& book) {
             below("beta_", k, 2 * k + 2, "alpha_", k, 2 * k + 1, from_1));
   book.show("order_next", "and",
             below("alpha_", k, 2 * k + 1, "beta_", k - 1, 2 * (k - 1) + 2, from_2));
-  // alpha_1 = 1: cos(3x) = -1 at x = pi/3, and (c + 1)(2c - 1)^2 = 0.
-  const Expr third = pi() / 3, cosine = cos(third), one_half = rational(1, 2);
-  const Theorem triple =
-      linear(eq(4 * power(cosine, 3) - 3 * cosine, -1),
-             {equation(cos(3 * third), 4 * power(cosine, 3) - 3 * cosine, {}, {third})});
-  const Theorem other = given(neq(cosine, one_half), [&](const Theorem& differs) {
-    // (1 + c)(1/2 - c)(1/2 - c) = (4c^3 - 3c + 1)/4
-    return arithmetic(eq(cosine, one_half), {.equations = {{-rational(1, 4), triple}},
-                                             .multipliers = {positive(1 + cosine), differs}});
-  });
-  const Theorem is_half = tautology(eq(cosine, one_half), {other});
-  book.show("third", "The cosine of a third of pi", is_half);
+  const Theorem third = book.show("third", "The cosine of a third of pi", part_of_pi(3)->cosine);
   book.show("alpha_1", "and the first is 1:",
             equation(fun("alpha_", {1}), 1,
                      {at(book["ratios.alpha_k"], {{k, 1}}),
-                      restate(eq(cos(pi() / (2 * Expr(1) + 1)), one_half), is_half)}));
+                      restate(eq(cos(pi() / (2 * Expr(1) + 1)), right(third)), third)}));
 }
 
 /// A velocity of the chapter "power" at a threshold, where its angle is pi less `rest`.

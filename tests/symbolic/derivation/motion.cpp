@@ -33,15 +33,18 @@ void wait(Trio& t) {
   if (cln::abs(t.approach()) < tiny()) throw Undefined();
   t.wait();
 }
+const Trio& seen(const Trio& t) {
+  if (cln::expt(exact(t.e), t.N) < tiny()) throw Unseen();
+  return t;
+}
 Trio after(const Vector& x, int collisions) {
   if (collisions < 0) throw Undefined();
-  if (cln::expt(exact(x[3]), collisions) < tiny()) throw Unseen();
   Trio t = start(x);
   while (t.N < collisions) {
     if (has_places(x)) wait(t);
     t.collide();
   }
-  return t;
+  return seen(t);
 }
 /// At collision j, before it: x holds V, perhaps L, and j; A comes to C at 0, at time 0.
 Trio trio_at(const Vector& x) {
@@ -63,7 +66,7 @@ int count_of(const Vector& x, const cl_R& still) {
     const cl_R centre = t.per_B == 0 ? cl_R(0) : t.v[2], unit = root(t.e);
     for (cl_R& v : t.v) v = (v - centre) / unit;
   }
-  return t.N;
+  return seen(t).N;
 }
 /// Two equal blocks that lose nothing, after their last collision.
 Trio end_of(const cl_R& alpha, const cl_R& V) {
