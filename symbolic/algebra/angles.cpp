@@ -114,9 +114,6 @@ Theorem cosine_falls(const Theorem& less, const Theorems& facts) {
   return follows(
       goal, {given(lt(p, q), below), where_equal(p, q, goal, linear(le(cos(q), cos(q)))), less});
 }
-Theorem cosine_positive(const Theorem& from, const Theorem& below) {
-  return linear(lt(0, cos(left(below))), {cosine_falls(below, {from})});
-}
 Theorem sine_not_negative(Expr t, const Theorems& facts) {
   const Expr goal = le(0, sin(t));
   const auto at_end = [&](Expr end) { return where_equal(t, end, goal, linear(le(0, sin(end)))); };

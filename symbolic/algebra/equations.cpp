@@ -56,10 +56,9 @@ std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by) {
   if (used != by.size()) return {};
   return quotient;
 }
-Expr gap(const Theorem& relation) {
-  Expr c = relation.conclusion();
-  if (c.op() == Op::Not) c = c.arg(0);
-  return c.arg(1) - c.arg(0);
+Expr gap(Expr relation) {
+  if (relation.op() == Op::Not) return gap(relation.arg(0));
+  return relation.arg(1) - relation.arg(0);
 }
 
 namespace {
@@ -69,8 +68,7 @@ struct Given {
 std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const Given& given,
                                       Polynomial& left_over) {
   const auto& [rules, nonzero] = given;
-  Search search{polynomial(goal.arg(1) - goal.arg(0)), factors,
-                std::vector<Polynomial>(rules.size())};
+  Search search{polynomial(gap(goal)), factors, std::vector<Polynomial>(rules.size())};
   for (const Theorem& t : factors) search.remainder = search.remainder * polynomial(gap(t));
   std::map<Expr, const Theorem*> divisors;
   for (const Theorem& t : nonzero) {
@@ -158,12 +156,7 @@ Theorem turned(const Theorem& e) {
   return arithmetic(eq(right(e), left(e)), {.equations = {{-1, e}}});
 }
 Theorems entries(const Theorem& e) {
-  const Exprs equations = entry_equations(e.conclusion());
-  const Theorem all_entries = restate(logic_and(equations), e);
-  if (equations.size() == 1) return {all_entries};
-  Theorems out;
-  for (std::size_t i = 0; i < equations.size(); ++i) out.push_back(part(all_entries, i));
-  return out;
+  return parts({restate(logic_and(entry_equations(e.conclusion())), e)});
 }
 Theorem root_squared(const Theorem& not_negative) {
   const Expr x = right(not_negative);

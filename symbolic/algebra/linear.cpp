@@ -217,10 +217,6 @@ struct Deeper {
   Deeper() { ++depth; }
   ~Deeper() { --depth; }
 };
-Expr difference(Expr goal) {
-  const Expr f = goal.op() == Op::Not ? goal.arg(0) : goal;
-  return f.arg(0) - f.arg(1);
-}
 }  // namespace
 
 Proof combination(Expr equation, const Theorems& equations) {
@@ -234,7 +230,7 @@ Proof linear_if(Expr goal, const Theorems& given_facts) {
   constexpr int deepest = 3;
   if (Deeper::depth >= deepest) return {};
   const Deeper deeper;
-  Occurring occurring(difference(goal), facts);
+  Occurring occurring(gap(goal), facts);
   if (const Proof p = relation(goal, occurring.facts)) return p;
   const Theorems all_known = known();
   std::vector<bool> taken(all_known.size(), false);
@@ -259,7 +255,7 @@ Theorem linear(Expr goal, const Theorems& facts) {
   }
   if (const Proof p = linear_if(goal, facts)) return *p;
   if (goal.op() == Op::Lt || goal.op() == Op::Le)
-    if (const Proof sign = sign_of(goal.arg(1) - goal.arg(0), facts, goal.op() == Op::Lt))
+    if (const Proof sign = sign_of(gap(goal), facts, goal.op() == Op::Lt))
       return arithmetic(goal, {.products = {{1, {*sign}}}});
   refuse("no linear combination of the facts gives " + text(goal));
 }

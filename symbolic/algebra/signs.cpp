@@ -39,7 +39,7 @@ std::optional<Theorem> sign_of_function(Expr t, const Theorems& facts, bool stri
     const auto below = linear_if(lt(y, t.name() == "sin" ? pi() : pi() / 2), facts);
     if (!below) return {};
     const Theorem above = t.name() == "sin" ? at("sin positive", of_t, {*from, *below})
-                                            : cosine_positive(*from, *below);
+                                            : linear(lt(0, t), {cosine_falls(*below, {*from})});
     return strict ? above : linear(le(0, t), {above});
   }
   return {};

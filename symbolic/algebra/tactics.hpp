@@ -90,7 +90,8 @@ Theorem next_integer(const Theorem& less);
 /// The quotient of two monomials, if it is one.
 std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by);
 /// q - p of p = q, p < q, p <= q or not p = q.
-Expr gap(const Theorem& relation);
+Expr gap(Expr relation);
+inline Expr gap(const Theorem& relation) { return gap(relation.conclusion()); }
 /// `goal` (l = r of terms or of matrices, or several): each equation of `facts` (monomial = term)
 /// rewrites a monomial; denominators are cleared that `facts` (0 < d, not d = 0) or `positive` say
 /// not to be 0; squares of roots are rewritten; sines and cosines are expanded in those of the
@@ -168,8 +169,6 @@ Theorem same_angle(const Theorem& cosines, const Theorems& facts = {});
 Theorem cosine_falls(const Theorem& less, const Theorems& facts = {});
 /// 0 <= sin(t): `linear` finds 0 <= t and t <= pi.
 Theorem sine_not_negative(Expr t, const Theorems& facts = {});
-/// 0 < t and t < pi/2 give 0 < cos(t).
-Theorem cosine_positive(const Theorem& from, const Theorem& below);
 
 // GiNaC solves, multiplies out and factors. What it says is a proposal that the kernel certifies,
 // so a mistake of GiNaC's is a proof that is not found. Results do not depend on GiNaC's order of

@@ -2,14 +2,12 @@
 // Makers of nodes: the choice of the cheapest operation, powers of two taken outside, ranges.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "codegen/lower.hpp"
 #include "codegen/operations.hpp"
 
 namespace codegen {
 namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double largest_whole = 0x1p51;  // `nearest` of the runtime
 /// The ranges of functions.
 const std::map<Op, Interval (*)(Interval)> functions{

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The loop over the bits of an index, and its calls.
-#include <limits>
-
 #include "codegen/emit.hpp"
 
 namespace codegen {
@@ -26,7 +24,6 @@ Expr half_of(Expr index) {
 }
 /// A term, from now on a number of that name.
 void know(Builder& terms, Expr term, const std::string& name) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   terms.nodes[term] = terms.input(name, false, {-infinity, infinity});
 }
 }  // namespace

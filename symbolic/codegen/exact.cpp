@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 
 #include <cln/float.h>
 #include <cln/real.h>
 
 namespace codegen {
 namespace {
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double pi_below = 0x1.921fb54442d18p+1;
 constexpr int libm_steps = 4;
 }  // namespace

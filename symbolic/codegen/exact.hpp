@@ -4,10 +4,13 @@
 // (the bounds of GNU's, musl's and FreeBSD's are below one and a half).
 #pragma once
 
+#include <limits>
+
 #include "kernel/expr.hpp"
 
 namespace codegen {
 using kernel::Refused;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 cln::cl_RA exact(double x);           ///< Refused: NaN, infinity
 double nearest(const cln::cl_RA& x);  ///< ties to even; |x| from 2^-960 to 2^1000, or 0

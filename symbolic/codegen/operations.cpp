@@ -12,8 +12,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "codegen/exact.hpp"
-
 namespace codegen {
 /// [JMP] algorithm 2, 2Sum: exact.
 Loss NumberType::exact_sum() const { return is_pair() ? Loss{0, u} : Loss{u, 0}; }
@@ -126,7 +124,7 @@ Loss NumberType::arc_tangent(double t, double z, double z_off) const {
 
 /// x p(x^2) and p(x^2), |low part of x| <= x |x|.
 NumberType::SineCosine NumberType::small_sine_cosine(double x) const {
-  if (!is_pair()) return {{u, 0}, {u, 0}, 0, 0, 0};
+  if (!is_pair()) return {{u, 0}, {u, 0}};
   const Polynomial& s = (*tier)["small_sine"];
   const Polynomial& c = (*tier)["small_cosine"];
   const Loss square = product(x, x);
@@ -134,10 +132,7 @@ NumberType::SineCosine NumberType::small_sine_cosine(double x) const {
   const OfPolynomial of_c = polynomial(c, c.top, square.loose * c.top);
   const Loss last = product(x, of_s.loose);
   return {{(of_s.loss + of_s.slope * square.loss * s.top + last.loss) * and_more, last.loose},
-          {(of_c.loss + of_c.slope * square.loss * c.top) * and_more, of_c.loose},
-          0,
-          0,
-          0};
+          {(of_c.loss + of_c.slope * square.loss * c.top) * and_more, of_c.loose}};
 }
 
 /// Above pi/4 less a quarter turn: the high parts' difference is exact, the low parts' one rounding
@@ -145,7 +140,7 @@ NumberType::SineCosine NumberType::small_sine_cosine(double x) const {
 /// `spill`, whatever its size; `product` then bounds y^2 and y p(y^2) in absolute terms. A quarter
 /// turn makes sine and cosine of each other, so the cosine may be -y p(y^2), the sine not.
 NumberType::SineCosine NumberType::sine_cosine(double x) const {
-  if (!is_pair()) return {{u, 0}, {u, 0}, 0, 0, 0};
+  if (!is_pair()) return {{u, 0}, {u, 0}};
   const Polynomial& s = (*tier)["sine"];
   const Polynomial& c = (*tier)["cosine"];
   const double spill = (x * 2.3562 + 0x1p-53) * and_more;

@@ -3,8 +3,7 @@
 // bound of a result comes from here.
 #pragma once
 
-#include <string>
-#include <vector>
+#include "codegen/exact.hpp"
 
 namespace codegen {
 /// From its function's series, in exact rationals, with a proof of its error: |p - f| <= the sum of
@@ -76,7 +75,7 @@ struct NumberType {
   /// `absolute` more, and its low part is larger by up to `spill`: near 0 it is large.
   struct SineCosine {
     Loss sine, cosine;
-    double angle, absolute, spill;
+    double angle = 0, absolute = 0, spill = 0;
   };
   SineCosine small_sine_cosine(double x) const;
   SineCosine sine_cosine(double x) const;

@@ -63,8 +63,7 @@ std::string Script::definition(const Theorem& t) {
 namespace {
 /// A recursion: n, then for each sequence its value at n, the variable for the value before, the
 /// start, the step. In Coq they are functions of a natural number, defined together.
-class Recursion {
-public:
+struct Recursion {
   explicit Recursion(const Step& s) : n(s.extras[0]) {
     for (std::size_t k = 1; k + 3 < s.extras.size(); k += 4) {
       values.push_back(s.extras[k]);

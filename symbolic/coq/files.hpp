@@ -2,10 +2,7 @@
 // The derivation as files of Coq.
 #pragma once
 
-#include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "kernel/theorem.hpp"
 

@@ -4,10 +4,6 @@
 #pragma once
 
 #include <functional>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "coq/files.hpp"
 
@@ -40,8 +36,7 @@ Exprs variables_of(const Exprs& es);
 
 /// Terms with their atoms as variables: x' for a canonical atom, y' for one that is equal to a
 /// polynomial of those.
-class Abstraction {
-public:
+struct Abstraction {
   /// Adds e, a part that polynomials do not look into, and what it is equal to.
   void add(Expr e);
   void add_atoms_of(Expr term);

@@ -14,8 +14,7 @@ Expr key(Expr part) {
   if (part.op() == Op::Le) return kernel::canonical(kernel::lt(part.arg(1), part.arg(0)));
   return kernel::canonical(part);
 }
-class Parts {
-public:
+struct Parts {
   void add(Expr f) {
     if (is_connective(f)) {
       for (Expr a : f.args()) add(a);

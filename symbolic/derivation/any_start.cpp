@@ -121,12 +121,13 @@ void line(Book& book) {
   for (const Theorem& t : with("closing")) here_and_next.push_back(at(t, {{j, j + 1}}));
   here_and_next.push_back(at(part(book["cycle.turn"], 1)));
   const Theorem waited = equation(wait * nearing(j + 1), B - A - left(met), here_and_next);
-  const Theorem wait_is = divided(wait, (B - A) / nearing(j + 1), {nearing(j + 1)},
-                                  linear(eq(wait * nearing(j + 1), B - A), {waited, met}));
-  const Theorem gap = times(ordered, root_power(j + 1) * side(j + 1) * r_e() / swing(j));
-  book.show("later", "so that, if A meets the ball first, collisions come one after the other:",
-            linear(le(T, next_T),
-                   {wait_is, times(linear(le(0, B - A), {apart, gap}), 1 / nearing(j + 1))}));
+  const Theorem wait_is =
+      divided(wait, nearing(j + 1), linear(eq(wait * nearing(j + 1), B - A), {waited, met}));
+  book.show(
+      "later", "so that, if A meets the ball first, collisions come one after the other:",
+      linear(le(T, next_T),
+             {wait_is, times(linear(le(0, B - A), {apart, not_negative(right(apart), {ordered})}),
+                             1 / nearing(j + 1))}));
 }
 /// Where kappa is 1 or more, and B does not run away too fast.
 void collapse_from_any_start(Book& book) {
@@ -190,8 +191,7 @@ void collapse_from_any_start(Book& book) {
   const Theorem apart = cut(closes, book["any_start.apart"]), ordered = assume(le(0, in_order));
   const Expr D = left(apart), bound = root_power(j + 1) * side(j + 1) * r_e() * in_order;
   know(at(book["wedge.signs"], {{j, j + 1}}));
-  const Theorem is_near =
-      linear(le(0, D), {apart, times(ordered, root_power(j + 1) * side(j + 1) * r_e() / swing(j))});
+  const Theorem is_near = linear(le(0, D), {apart, not_negative(right(apart), {ordered})});
   const Theorem weighed =
       arithmetic(eq(D * swing(j), bound),
                  {.equations = {{swing(j), apart}, {1, equation(right(apart) * swing(j), bound)}}});

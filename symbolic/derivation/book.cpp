@@ -9,9 +9,7 @@ namespace derivation {
 using algebra::operator+;
 namespace {
 void restrict_to(const Exprs& domain, const std::string& symbol, const Exprs& params) {
-  if (!domain.empty())
-    kernel::restrict_domain(symbol, params,
-                            domain.size() == 1 ? domain[0] : kernel::logic_and(domain));
+  if (!domain.empty()) kernel::restrict_domain(symbol, params, kernel::logic_and(domain));
 }
 bool is_part(Expr part, Expr of) {
   return part == of || std::ranges::any_of(of.args(), [&](Expr a) { return is_part(part, a); });

@@ -2,8 +2,6 @@
 // The book: chapters of shown theorems, in the order in which they are proved.
 #pragma once
 #include <functional>
-#include <string>
-#include <vector>
 
 #include "kernel/theorem.hpp"
 

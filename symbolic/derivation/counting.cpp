@@ -72,12 +72,7 @@ void shares(Book& book) {
                                                 {N_up, N_down})}));
   // L = ceil(z - 1): 2L - 1 < N < 2L + 2. If N = 2L then N_A = L, if N = 2L + 1 then N_A = L + 1.
   const Theorem around = linear(logic_and({le(2 * L, N()), le(N(), 2 * L + 1)}), {N_up, N_down});
-  const auto with_N = [&](Expr value) {
-    return linear(imp(eq(N(), value), eq(N_B(), L)), {def_A, def_B});
-  };
-  book.show("N_B", "eq:NB-ans", "and for B",
-            follows(eq(N_B(), L), {with_N(2 * L), with_N(2 * L + 1), part(around, 0),
-                                   linear(imp(lt(2 * L, N()), eq(N(), 2 * L + 1)), {around})}));
+  book.show("N_B", "eq:NB-ans", "and for B", linear(eq(N_B(), L), {def_A, def_B, around}));
 }
 }  // namespace
 
@@ -107,14 +102,12 @@ void count(Book& book, const Count& c) {
       {given(lt(N, K), [&](const Theorem& early) { return before(N, early); }), part(found, 1)});
   const Theorem number = book.show("N", "So the number of all collisions is",
                                    linear(eq(N, K), {lower, part(found, 2)}));
+  const auto goes_on = [&](const Theorem& below) {
+    return before(j, linear(lt(j, K), {below, number}));
+  };
   book.show("happens",
-            "They are collisions 0 to N - 1, and no body approaches another after the "
-            "last:",
-            both({given(lt(j, N),
-                        [&](const Theorem& below) {
-                          return before(j, linear(lt(j, K), {below, number}));
-                        }),
-                  part(found, 1)}));
+            "They are collisions 0 to N - 1, and no body approaches another after the last:",
+            both({given(lt(j, N), goes_on), part(found, 1)}));
 }
 void counting(Book& book) {
   book.chapter("counting", "The number of collisions", {alpha_positive, V_positive, le(0, j)});

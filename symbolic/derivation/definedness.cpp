@@ -41,9 +41,7 @@ Exprs unproved_needs(const Theorem& theorem) {
     Exprs all_given;
     for (const Expr& g : given)
       for (const Expr& f : conjuncts(g)) all_given.push_back(f);
-    Theorems facts;
-    for (const Expr& f : all_given)
-      if (is_relation(f)) facts.push_back(assume(f));
+    Theorems facts = assumed(all_given);
     for (const Theorem& f : known())
       if (holds(all_given, [&] { return f; })) facts.push_back(f);
     for (const Expr& condition : conjuncts(guarded ? need.arg(1) : need))

@@ -31,8 +31,7 @@ void digits_of_pi(Book& book) {
   know(positive(root));
   const Theorem rest = positive(equation(1 - power(kappa, 2), 1 / (power(T, 2) + 1), {square}));
   know(scaled(lt(kappa, 1), lt(power(kappa, 2), 1), 1 / (1 + kappa), {rest}));
-  const Theorem sine =
-      root_of(equation(power(kappa / T, 2), 1 - power(kappa, 2), {square}), positive(kappa / T));
+  const Theorem sine = root_is(1 - power(kappa, 2), kappa / T, {square});
   const Theorem angle = rewrite(equation(left(sine) / kappa, 1 / T, {sine}), here("wedge.h_e"));
   book.show("angle_T", "With masses T^2 and 1, and nothing lost, the angle has the tangent 1/T,",
             angle);

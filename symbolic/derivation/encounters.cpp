@@ -18,14 +18,12 @@ Theorems rules_of_paper(Book& book) {
 }  // namespace
 
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is) {
-  const Expr x_is = left(kappa_is), angle = right(kappa_is).arg(0);
-  const auto quotient = [&](const char* name, const std::string& id, Expr over) {
+  const Expr angle = right(kappa_is).arg(0);
+  const auto quotient = [&](const char* id) {
     const Theorem product = rewrite(turned(kappa_is), at(book[id], {{y, angle}}));
-    return divided(fun(name, {x_is, j}), over / sin(angle), {sin(angle)},
-                   restate(eq(left(product), over), product));
+    return divided(left(product).arg(0), sin(angle), product);
   };
-  return {quotient("U", "chebyshev.sine", sin((j + 1) * angle)),
-          quotient("U_last", "chebyshev.sine_last", sin(j * angle))};
+  return {quotient("chebyshev.sine"), quotient("chebyshev.sine_last")};
 }
 Theorems without_losses(const Book& book, const Theorem& kappa_is) {
   const Theorem root = root_is(1, 1);

@@ -6,15 +6,14 @@ namespace derivation {
 void ends(Book& book) {
   const Exprs assumptions = of_wedge({lt(0, e), lt(kappa(), 1), V_positive});
   book.chapter("ends", "Where collisions end", assumptions);
-  const Exprs params{M_A, w_B, M_C, e, V};
-  const Expr N = fun("N_e", params), h = fun("h_e", masses_and_e());
+  const Expr N = fun("N_e", at_rest()), h = fun("h_e", masses_and_e());
   know(book["wedge.acute"]);
   const Theorem number = book["motion.N"];
   know(scaled(le(1, N), lt(h, pi() / 2), 1 / h, {number}));
   for (const Expr i : {N - 1, N}) know(at(book["wedge.signs"], {{j, i}}));
 
   const auto named = [&](const char* name, Expr value, const char* words) {
-    return book.define(name, params, value, assumptions, words);
+    return book.define(name, at_rest(), value, assumptions, words);
   };
   const Theorem rest_is =
       named("delta_e", pi() - N * h, "The last collision leaves of half a turn");

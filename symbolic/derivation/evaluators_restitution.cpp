@@ -21,9 +21,7 @@ Theorem angle(Book& book, Names& f) {
   know(positive(A_share));
   know(positive(B_share));
   const Expr inverse = 1 / (left(A_share) * left(B_share));
-  const Theorem both_is = chain(
-      both_are,
-      root_of(equation(power(inverse, 2), both_masses(), {A_share, B_share}), positive(inverse)));
+  const Theorem both_is = chain(both_are, root_is(both_masses(), inverse, {A_share, B_share}));
   const Theorem side = f.positive("side_e", of_e("both_e") / (1 + M_C));
   book.show("sides", "the factor of every second collision:",
             equation(left(A_share) / left(B_share), of_e("side_e"), {A_share, both_is, side}));
@@ -76,7 +74,7 @@ void energy_of_B(Book& book, const Names& f, const char* symbol, const char* tak
 }
 /// Both speeds with which bodies part after the last collision, then the velocities.
 void velocities(Book& book, Names& f, const Theorem& step) {
-  const Expr N = at_1(fun("N_e", {M_A, w_B, M_C, e, V})), h = of_e("step_e");
+  const Expr N = at_1(fun("N_e", at_rest())), h = of_e("step_e");
   book.show("N_e", "the number of collisions", rewrite(turned(step), at_1(book["bodies.N_e"])));
   f.domain = {le(0, w_B), lt(0, M_C), lt(0, e), V_positive, lt(0, of_e("share_e")), lt(0, N)};
   f.params = {M_C, w_B, e, V};
@@ -87,7 +85,7 @@ void velocities(Book& book, Names& f, const Theorem& step) {
     return f(symbol);
   };
   const Expr left_over = name("left_e", pi() - name("span_e", h * N, "With"));
-  const Theorem rest = equation(at_1(fun("delta_e", {M_A, w_B, M_C, e, V})), left_over,
+  const Theorem rest = equation(at_1(fun("delta_e", at_rest())), left_over,
                                 names + Theorems{at_1(book["ends.def_delta_e"]), turned(step)});
   const Theorem next = f.name("next_e", h - left_over);
   const Expr S = of_e("sine_e"), side_e = of_e("side_e"), power_e = name("power_e", root_power(N));

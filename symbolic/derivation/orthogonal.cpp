@@ -31,6 +31,14 @@ Theorem squared_determinant(Expr o, const Theorem& is) {
   const Expr square = power(det(o), 2);
   return linear(eq(square, 1), {rewrite(is, equation(square, det(gram(o))))});
 }
+/// |- x = 0 from x^2 = 0
+Theorem is_0(const Theorem& square) {
+  const Expr of = left(square).arg(0);
+  const Theorem none = given(neq(of, 0), [&](const Theorem& other) {
+    return arithmetic(eq(of, 0), {.equations = {{-1, square}}, .multipliers = {other}});
+  });
+  return tautology(eq(of, 0), {none});
+}
 /// t != -1 |- 1 + t != 0
 Theorem one_more_not_0(Expr t) {
   return tautology(neq(1 + t, 0), {assume(neq(t, -1)), linear(imp(eq(1 + t, 0), eq(t, -1)))});
@@ -97,10 +105,7 @@ Theorems in_the_plane(Book& book, const Theorems& names, const Theorem& is) {
                     {angle});
   };
   const Theorem cosine = of_angle(cos(2 * angle), p), sine = of_angle(sin(2 * angle), r);
-  const Theorem none = given(neq(r, 0), [&](const Theorem& moved) {
-    return arithmetic(eq(r, 0),
-                      {.equations = {{-1, unit}, {p - 1, at_end}}, .multipliers = {moved}});
-  });
+  const Theorem r_is_0 = is_0(equation(power(r, 2), 0, {unit, at_end}));
   Theorems shown;
   for (const int sign : {1, -1}) {
     const Theorem value = restate(eq(p * s - q * r, sign), assume(eq(det(o), sign)));
@@ -125,7 +130,7 @@ Theorems in_the_plane(Book& book, const Theorems& names, const Theorem& is) {
                    : "With determinant -1 it is a rotation after a reflection,",
          turned_by(2 * angle, {cosine, sine}));
     show("_half", "or half a turn,",
-         turned_by(pi(), {axiom("cos pi"), axiom("sin pi"), at_end, tautology(eq(r, 0), {none})}));
+         turned_by(pi(), {axiom("cos pi"), axiom("sin pi"), at_end, r_is_0}));
   }
   return shown;
 }
@@ -137,14 +142,6 @@ Theorems cofactor_rule(Expr o, const Theorem& is) {
   const Expr cofactors = matrix(3, all);
   return entries(calculation(times(times(cofactors, transpose(o)), o), cofactors,
                              {{times(cofactors, gram(o)), is}}));
-}
-/// |- x = 0 from x^2 <= 0
-Theorem is_0(Expr of, const Theorem& square) {
-  const Theorem is = follows(eq(power(of, 2), 0), {square, not_negative(power(of, 2))});
-  const Theorem none = given(neq(of, 0), [&](const Theorem& other) {
-    return arithmetic(eq(of, 0), {.equations = {{-1, is}}, .multipliers = {other}});
-  });
-  return tautology(eq(of, 0), {none});
 }
 /// In space, with determinant 1, there is an axis: what the cofactors X of O - 1 make.
 void axis(Book& book, const Theorems& names, const Theorem& is) {
@@ -175,8 +172,7 @@ void axis(Book& book, const Theorems& names, const Theorem& is) {
     facts.push_back(arithmetic(eq(all[i], cofactor(o, int(i / 3), int(i / 3))),
                                {.equations = {{1, times_d[i]}, {-all[i], d_is_1}}}));
   Theorems zeros;
-  for (const Expr& entry : less_1)
-    zeros.push_back(is_0(entry, linear(le(power(entry, 2), 0), facts)));
+  for (const Expr& entry : less_1) zeros.push_back(is_0(linear(eq(power(entry, 2), 0), facts)));
   book.show("axis_only",
             "and if X is 0, every line is one:", with_names(names, linear(eq(o, one), zeros)));
   const Expr r = matrix_of_names(3, "r"), p = entry(r, 0, 2), q = entry(r, 1, 2),

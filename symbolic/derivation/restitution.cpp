@@ -20,7 +20,7 @@ void one_collision(Book& book) {
       "A collision with restitution e keeps momentum, and the bodies part e times as fast "
       "as they approached:",
       define("impact", bodies, logic_and({momentum_kept, relative}), 0));
-  const Theorems laws = parts({tautology(right(law), {law, assume(fun("impact", bodies))})});
+  const Theorems laws = parts({tautology(right(law), {law, assume(left(law))})});
   const Exprs after = solved(momentum_kept);
   const Theorem v_2_is = solved_for(v_2, laws[1]);
   const Theorem v_1_is = solved_for(M_1 * v_1, laws[0]);
@@ -35,8 +35,7 @@ void one_collision(Book& book) {
   const Theorem wall =
       book.show("wall", "A wall stays as it is:",
                 define("rebound", {e, u_1, u_2, v_1, v_2}, logic_and({eq(v_2, u_2), relative}), 0));
-  const Theorems of_wall =
-      parts({tautology(right(wall), {wall, assume(fun("rebound", {e, u_1, u_2, v_1, v_2}))})});
+  const Theorems of_wall = parts({tautology(right(wall), {wall, assume(left(wall))})});
   const Exprs of_both = solved(shared);
   const auto instance = [&](Expr value, const Theorems& rules, const auto& shape) {
     const auto is = [&](Expr v, std::size_t i) {
@@ -110,7 +109,7 @@ void recurrence(Book& book, const Theorems& motion) {
   const Expr given_off = any_momentum() - w_B * (M_A * of_A + M_C * of_B);
   const Theorem of_one = rewrite(solved_for(A, A_B), at(momentum, {{j, next}}));
   const Theorem whole = linear(eq(B * all, given_off), {rewrite(solved_for(C, C_B), of_one)});
-  book.show("B_velocity", "and B has", divided(B, given_off / all, {all}, whole));
+  book.show("B_velocity", "and B has", divided(B, all, whole));
   book.show("recurrence", "and each one follows from two before:",
             linear(eq(nearing(j + 2), (1 + e) * share(next) * nearing(next) - e * nearing(j)),
                    {at(gain, {{j, next}}), parting}));

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The paper's symbols as terms, and what every chapter includes.
 #pragma once
-#include <functional>
-#include <string>
-
 #include "algebra/tactics.hpp"
 #include "derivation/book.hpp"
 

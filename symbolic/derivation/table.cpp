@@ -47,12 +47,10 @@ void table(Book& book) {
                               Expr above, const Theorems& values) {
     const Theorem moves = assume(neq(numerator, 0));
     const Theorem product = equation(d * cos(angle), numerator, values);
-    const Theorem divisor = tautology(
-        neq(cos(angle), 0), {given(eq(cos(angle), 0),
-                                   [&](const Theorem& is_0) {
-                                     return linear(eq(numerator, 0), {rewrite(is_0, product)});
-                                   }),
-                             moves});
+    const Theorem none = given(eq(cos(angle), 0), [&](const Theorem& is_0) {
+      return linear(eq(numerator, 0), {rewrite(is_0, product)});
+    });
+    const Theorem divisor = tautology(neq(cos(angle), 0), {none, moves});
     know(divisor);
     show(name, angle, above / numerator, values + Theorems{moves, divisor});
   };

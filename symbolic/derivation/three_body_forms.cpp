@@ -207,8 +207,7 @@ void three_body_forms(Book& book) {
   {
     const Known here({assume(lt(0, unit)), book["wedge.signs"]});
     const Expr ratio = r_A() / r_B();
-    forms.shared.push_back(part(at(book["chebyshev.last"], {{x, kappa()}}), 1));
-    forms.shared.push_back(part(at(book["chebyshev.last"], {{x, kappa()}}), 2));
+    forms.shared = forms.shared + parts({at(book["chebyshev.last"], {{x, kappa()}})});
     know(positive(forms.share("now_side", "With", is_P(j) + is_Q(j) * ratio)));
     forms.share("later_side", "and", is_Q(j) + is_P(j) * ratio);
     places(forms, units);

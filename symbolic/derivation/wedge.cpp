@@ -13,20 +13,18 @@ void angle_of_the_wedge(Book& book) {
   const Theorem is = book.name("h_e", masses_and_e(), atan(t), domain,
                                "Where kappa is below 1 it is the cosine of an angle,");
   const Expr h = left(is);
-  const Theorem square = equation(power(1 / x_e, 2), 1 + power(t, 2));
   book.show("cosine", "as",
             under(domain, equation(cos(h), x_e,
                                    {chain(rewrite(turned(is), at("cos atan", {{x, t}})),
                                           equation(1 / sqrt(1 + power(t, 2)), x_e,
-                                                   {root_of(square, positive(1 / x_e))}))})));
+                                                   {root_is(1 + power(t, 2), 1 / x_e)}))})));
   book.show("acute", "an acute one,", both({positive(is), linear(lt(h, pi() / 2), {is})}));
 }
 }  // namespace
 
-Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_factors) {
-  Certificate c{.equations = {{1, times_factors}}};
-  for (const Expr& f : factors) c.multipliers.push_back(positive(f));
-  return certified(eq(l, r), c);
+Theorem divided(Expr l, Expr by, const Theorem& times_by) {
+  return certified(eq(l, right(times_by) / by),
+                   {.equations = {{1, times_by}}, .multipliers = {positive(by)}});
 }
 Theorems squared_shares(const Book& book) {
   Theorems out;

@@ -62,8 +62,8 @@ inline Expr at_collision(const char* name, Expr i) {
   return fun(name, {M_A, w_B, M_C, e, V, L, i});
 }
 inline Expr apart(Expr i) { return at_collision("x_B", i) - at_collision("x_A", i); }
-/// l = r from a theorem that says it times `factors`, which are positive.
-Theorem divided(Expr l, Expr r, const Exprs& factors, const Theorem& times_factors);
+/// l = r/by from l by = r for a positive term `by`.
+Theorem divided(Expr l, Expr by, const Theorem& times_by);
 /// Blocks of mass 1, a ball of mass alpha.
 inline const Substitution blocks_of_paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
 /// A theorem for them.

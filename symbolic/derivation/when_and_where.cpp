@@ -79,7 +79,7 @@ void until_the_next(Book& book) {
   const Expr D = B - A, all = mass_of_all();
   const Expr whole = L + w_B * M_A * V * left(time) - is_P(j) * D + is_Q(j) * (w_B * M_A * D);
   shown("place", "so the ball is at",
-        divided(C, whole / all, {all}, equation(C * all, whole, {solved_for(L, carried), ball})));
+        divided(C, all, equation(C * all, whole, {solved_for(L, carried), ball})));
 }
 /// Where they never end, all times are below one that they come arbitrarily close to.
 void collapse_in_time(Book& book) {

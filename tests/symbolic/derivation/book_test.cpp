@@ -72,7 +72,7 @@ TEST_CASE("tactics for angles refuse what does not follow") {
   CHECK(text(sine_not_negative(y, {y_from_0, to_pi}).conclusion()) == "0 <= sin(y)");
   CHECK_THROWS_AS(sine_not_negative(y, {y_from_0, beyond}), Refused);
   CHECK_THROWS_AS(sine_not_negative(y, {assume(le(-1, y)), to_pi}), Refused);
-  CHECK_THROWS_AS(cosine_positive(y_from_0, assume(le(y, pi() / 2))), Refused);
+  CHECK_THROWS_AS(positive(cos(y), {y_from_0, assume(le(y, pi() / 2))}), Refused);
   CHECK_THROWS_AS(solved_for(y, assume(eq(x, 0))), Refused);
   CHECK_THROWS_AS(otherwise(lt(x, y), {assume(lt(0, 1))}), Refused);
   CHECK_THROWS_AS(at("root squared", {{x, y}}), Refused);  // nothing says 0 <= y
