@@ -21,9 +21,13 @@ void chebyshev(Book& book) {
   const Theorem second =
       equation(U_x(1), 2 * x, {canonical_form(at(def[2], {{j, 0}})), def[0], def[1]});
   book.show("start", "The polynomials U_j are", under({from_0}, both({first, second})));
-  book.show(
+  const Theorem next = book.show(
       "next", "and on by the rule",
       equation(U_x(j + 2), 2 * x * U_x(j + 1) - U_x(j), {at(def[2], {{j, j + 1}}), last_after}));
+  book.show(
+      "two_steps", "so that each second one follows from the two such before,",
+      equation(U_x(j + 4), (4 * power(x, 2) - 2) * U_x(j + 2) - U_x(j),
+               {at(next, {{j, j + 2}}), at(next, {{j, j + 1}}), solved_for(U_x(j + 1) * x, next)}));
 
   const auto quotient = [](const char* of, Expr index, Expr turns) {
     return eq(fun(of, {cos(y), index}) * sin(y), sin(turns * y));

@@ -164,21 +164,26 @@ std::optional<simulator::InTurn<Quadratic>> Trio::first_collisions(std::int64_t 
   return {};
 }
 /// By any_start.speed each second approach speed, over e each time, is a sum of each second
-/// U_j(kappa): one by one from U_(j+4) = (4 kappa^2 - 2) U_(j+2) - U_j, or where kappa is 1 evenly.
+/// U_j(kappa): each follows from the two before by one factor, which the first three tell
+/// (chebyshev.two_steps), and evenly where kappa is 1 (chebyshev.steps).
 std::optional<std::int64_t> Trio::exact_count() const {
   auto now = first_collisions(-1);
   if (!now) return {};
-  std::array<Quadratic, 4> speeds;
-  for (std::size_t j = 0; j < 4; now->step(), ++j)
-    speeds[j] = j < 2 ? now->approach() : now->approach() / exact_->e;
+  std::array<Quadratic, 5> speeds;
+  Quadratic loss = 1;
+  for (std::size_t j = 0; j < 5; now->step(), ++j) {
+    speeds[j] = now->approach() / loss;
+    if (j % 2 == 1) loss = loss * exact_->e;
+  }
   if (exact_->q_e == 0)
     return count_of(std::int64_t(1) << 62U, [&](std::int64_t j) {
       const Quadratic &first = speeds[j % 2], &next = speeds[j % 2 + 2];
       return 0 < first + Quadratic(cl_I(static_cast<long long>(j / 2))) * (next - first);
     });
+  const Quadratic factor = speeds[2] == 0 ? 0 : (speeds[0] + speeds[4]) / speeds[2];
   for (std::size_t j = 0; speeds[j % 4].bits() < longest_tie; ++j) {
     if (!(0 < speeds[j % 4])) return j;
-    speeds[j % 4] = (4 * exact_->K - 2) * speeds[(j + 2) % 4] - speeds[j % 4];
+    speeds[j % 4] = factor * speeds[(j + 2) % 4] - speeds[j % 4];
   }
   return {};
 }

@@ -229,3 +229,29 @@ TEST_CASE("plans, their reasons, and how many collisions, as in a mirror", "[exa
     CHECK_THAT(result.plan.reason, Catch::Matchers::StartsWith(row[3]));
   }
 }
+
+TEST_CASE("V and L are units: only ratios need a field of their own", "[check]") {
+  for (const std::string masses :
+       {"alpha = 'magic:3'\n", "alpha = '1/7'\nrestitution = '7/8'\n", "alpha = '1/9999'\n",
+        "alpha = 1\nrestitution = '7/100'\n", "alpha = '1/90'\nrestitution = 'magic:3'\n"})
+    for (const auto& [V, L] :
+         {std::pair{"'sqrt(3)'", "'sqrt(2)'"}, {"'magic:5'", "'deficient:3'"}}) {
+      INFO(masses << V << L);
+      const std::string keys = "V = " + std::string(V) + "\nL = " + L + "\n";
+      const Scene scene = scene_of(masses + keys);
+      const double v = scene.V.to_double(), l = scene.L.to_double();
+      const Result result = run(scene), unit = result_of(masses);
+      REQUIRE(result.plan.model == "theorem");
+      CHECK_FALSE(result.is_undecided);
+      check_mirrored(result, run(mirrored(scene)));
+      CHECK((result.status == unit.status && result.counts == unit.counts));
+      for (std::size_t i = 0; i < 3; ++i)
+        CHECK_THAT(number(result.terminal[i]), WithinRel(v * number(unit.terminal[i]), 1e-15));
+      const std::vector<Numbers> rows = numbers_of(scene), of_unit = numbers_of(scene_of(masses));
+      for (std::size_t i = 0; i < std::min(rows.size(), of_unit.size()); ++i) {
+        CHECK_THAT(rows[i][1], WithinRel(l / v * of_unit[i][1], 1e-14));
+        CHECK_THAT(rows[i][2], WithinRel(l * of_unit[i][2], 1e-14));
+        CHECK_THAT(rows[i][4], WithinRel(v * of_unit[i][4], 1e-14));
+      }
+    }
+}

@@ -90,7 +90,10 @@ std::int64_t compared_with_mirror(const Line<Scalar>& line) {
   auto images = run(mirror, 20);
   CHECK(engine.ties().near == mirror.ties().near);
   REQUIRE(events.size() == images.size());
-  for (auto& image : images) image.gap = line.masses.size() - image.gap;
+  const std::size_t bodies = line.masses.size();
+  for (std::size_t i = 0; i < bodies; ++i)
+    CHECK(engine.bodies()[i].velocity == negated(mirror.bodies()[bodies - 1 - i].velocity));
+  for (auto& image : images) image.gap = bodies - image.gap;
   const auto by_place = [](const auto& x, const auto& y) {
     return x.time == y.time ? x.gap < y.gap : x.time < y.time;
   };
