@@ -73,6 +73,8 @@ TEST_CASE("tactics for angles refuse what does not follow") {
   CHECK_THROWS_AS(sine_not_negative(y, {y_from_0, beyond}), Refused);
   CHECK_THROWS_AS(sine_not_negative(y, {assume(le(-1, y)), to_pi}), Refused);
   CHECK_THROWS_AS(positive(cos(y), {y_from_0, assume(le(y, pi() / 2))}), Refused);
+  CHECK(text(part_of_pi(8)->cosine) == "|- cos(pi/8) = sqrt(2 + sqrt(2))/2");
+  for (const int d : {-2, 0, 7, 9, 25, 45}) CHECK_FALSE(part_of_pi(d));
   CHECK_THROWS_AS(solved_for(y, assume(eq(x, 0))), Refused);
   CHECK_THROWS_AS(otherwise(lt(x, y), {assume(lt(0, 1))}), Refused);
   CHECK_THROWS_AS(at("root squared", {{x, y}}), Refused);  // nothing says 0 <= y
