@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t heaviest = 400;
 constexpr int most_multiplied_out = 24;
 constexpr int most_parts = 60;  // d of pi/d
-constexpr int most_multiples = 12;
+constexpr int most_work = 10;
+constexpr int most_work_of_15 = 3;  // whose sines are of more roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_algebraic_term(Expr e) {
@@ -88,20 +89,29 @@ void collect_sines(Expr e, Exprs& sines) {
   if (is_sine(e)) sines.push_back(e);
   for (Expr part : e.args()) collect_sines(part, sines);
 }
-// Sines of parts of pi by those of one part.
-void add_sines(Expr e, Theorems& facts, Exprs& roots) {
+// How much there is to multiply out of roots, and of sine and cosine of pi/d.
+cln::cl_I work(Expr e, const cln::cl_I& d) {
+  if (is_sine(e)) return cln::numerator(cln::abs(d * *multiple_of_pi(e.arg(0))));
+  if (is_call(e, "sqrt")) return 1;
+  cln::cl_I sum = 0;
+  for (Expr part : e.args()) sum = sum + work(part, d);
+  return e.op() == Op::Pow ? sum * e.exponent() : sum;
+}
+// Sines of parts of pi by those of one part; false where they are too much.
+bool add_sines(Expr e, Theorems& facts, Exprs& roots) {
   Exprs sines;
   collect_sines(e, sines);
-  cln::cl_I d = 1, multiples = 0;
+  cln::cl_I d = 1;
   for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
-  for (Expr of : sines)
-    multiples = multiples + cln::numerator(cln::abs(d * *multiple_of_pi(of.arg(0))));
-  if (sines.empty() || d > most_parts || multiples > most_multiples) return;
+  const int most = cln::mod(d, 15) == 0 ? most_work_of_15 : most_work;
+  if (sines.empty()) return true;
+  if (d > most_parts || work(e, d) > most) return false;
   const auto part = algebra::part_of_pi(cln::cl_I_to_int(d));
-  if (!part) return;
+  if (!part) return false;
   const Expr angle = algebra::left(part->cosine).arg(0);
   facts = algebra::angles(sines, {angle}) + Theorems{part->cosine, part->sine} + part->signs;
   for (const auto& is : {part->cosine, part->sine}) add_roots(algebra::right(is), facts, roots);
+  return true;
 }
 }  // namespace
 
@@ -122,7 +132,7 @@ std::string certified(Expr left, Expr right, const std::vector<Requirement>& nee
   is_proved([&] {
     Theorems facts;
     Exprs roots;
-    add_sines(left - right, facts, roots);
+    if (!add_sines(left - right, facts, roots)) return false;
     add_roots(left - right, facts, roots);
     for (const auto& [kind, e] : needs) facts.push_back(kernel::assume(formula({kind, named(e)})));
     std::string hypotheses;
