@@ -177,7 +177,8 @@ std::optional<std::int64_t> Trio::exact_count() const {
   }
   if (exact_->q_e == 0)
     return count_of(std::int64_t(1) << 62U, [&](std::int64_t j) {
-      const Quadratic &first = speeds[j % 2], &next = speeds[j % 2 + 2];
+      const std::size_t i = j % 2 == 0 ? 0 : 1;
+      const Quadratic &first = speeds[i], &next = speeds[i + 2];
       return 0 < first + Quadratic(cl_I(static_cast<long long>(j / 2))) * (next - first);
     });
   const Quadratic factor = speeds[2] == 0 ? 0 : (speeds[0] + speeds[4]) / speeds[2];
