@@ -16,10 +16,9 @@ Theorem root(const Theorem& square, Expr t, Theorems& signs) {
 PartOfPi with_sine(Expr t, int n, const Theorem& cosine) {
   const Theorem square = equation(power(n * sin(t), 2), n * n * (1 - power(right(cosine), 2)),
                                   angles({}, {t}) + Theorems{cosine});
-  PartOfPi out{cosine, cosine, {}};
-  const Theorem is = root(square, n * sin(t), out.signs);
-  out.sine = linear(eq(sin(t), left(is) / n), {is});
-  return out;
+  Theorems signs;
+  const Theorem is = root(square, n * sin(t), signs);
+  return {cosine, linear(eq(sin(t), left(is) / n), {is}), signs};
 }
 /// |- sin(l t) = sin(i t), where both angles together are pi.
 Theorem mirrored(Expr t, int l, int i) {

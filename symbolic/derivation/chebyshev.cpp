@@ -57,6 +57,14 @@ void chebyshev(Book& book) {
             under({from_0}, both({def[1], last_after, after})));
   book.show("neighbours", "three neighbours keep, whatever x is,",
             equation(power(U_x(j), 2) - U_x(j + 1) * last(j), 1, {after, kept}));
+  const Expr both_ways = 2 * x * power(U_x(j), 2) - 2 * U_x(j) * last(j);
+  const Theorem doubled =
+      by_induction(j,
+                   logic_and({eq(U_x(2 * j), power(U_x(j), 2) - power(last(j), 2)),
+                              eq(U_x(2 * j + 1), both_ways)}),
+                   {first, second, def[1]},
+                   {after, last_after, at(next, {{j, 2 * j}}), at(next, {{j, 2 * j + 1}})});
+  book.show("double", "those of even j are differences of squares,", part(doubled, 0));
   know(assume(lt(0, y)));
   const Theorem root = equation(power(y, 2), 2 * x * y - 1, {assume(eq(x, (y + 1 / y) / 2))});
   const auto pow = [](Expr i) { return fun("pow", {y, i}); };

@@ -21,10 +21,10 @@ struct Quadratic {
   Theorem root, greater, smaller;
 };
 
-/// The cosines of 2 k pi/p for a prime p, k = 1, ..., (p - 1)/2.
+/// The cosines of 2 k pi/p for p = 17, a prime, k = 1, ..., (p - 1)/2.
 class Periods {
 public:
-  explicit Periods(int prime) : p(prime) {
+  Periods() {
     const Theorem product = equation(cos(x) * cos(y), (cos(x + y) + cos(x - y)) / 2, {}, {x, y});
     const Theorem step = equation(2 * cos(x) * sin(y), sin(x + y) - sin(x - y), {}, {x, y});
     const Expr unit = pi() / p;
@@ -64,7 +64,7 @@ public:
   }
   /// A linear relation of periods of the second degree.
   Theorem known(Expr goal) const { return linear(goal, rules); }
-  int p;
+  static constexpr int p = 17;
   Theorems rules;  ///< products of two cosines as sums; the sum of all
 
 private:
@@ -81,7 +81,7 @@ Theorem opposite(const Periods& of) {
 }
 /// |- cos(pi/17), by four quadratic equations
 Theorem seventeenth(Book& book) {
-  const Periods of(17);
+  const Periods of;
   const auto period = [&](const std::vector<int>& which) { return of.period(which); };
   const Expr E = period({1, 2, 4, 8}), F = period({3, 5, 6, 7});
   const Expr a = period({1, 4}), b = period({2, 8}), c = period({3, 5}), d = period({6, 7});

@@ -84,7 +84,7 @@ Found<Trio> Trio::of(const Start& start) try {
   if (t.bodies() == 3 && masses[0].is(1) && masses[2].is(1) && e.is(1))
     t.at_threshold_ = t.count_at_threshold();
   if (r < 0)
-    with_bits(17, [&] {
+    with_bits(17, [&] {  // whether they end, which has to be certain
       const Shape s = t.shape();
       return s.q_e > 0 || Ball(end_of(s, t.start()).end_speed) > 0;
     });
@@ -124,8 +124,7 @@ std::optional<Trio::Exact> Trio::exact_bodies() const try {
   if (!from_.e.exact() || !std::ranges::all_of(m, &Value::exact)) return {};
   const Quadratic per_B = bodies() == 3 ? Quadratic(1) / *m[2].exact() : Quadratic(0);
   const Quadratic &A = *m[0].exact(), &C = *m[1].exact(), &e = *from_.e.exact();
-  const auto [K, q_e] = generated::shape_exact(A, per_B, C, e);
-  return {{A, C, per_B, e, K, q_e}};
+  return {{A, C, per_B, e, generated::shape_exact(A, per_B, C, e).q_e}};
 } catch (const std::domain_error&) {
   return {};
 }
@@ -143,8 +142,9 @@ Trio::Shape Trio::shape() const {
   }
   return s;
 }
-/// magic.counts, deficient.counts. After the 2 k of rest U_(2 k) = U_k^2 - U_(k-1)^2 is 0, so that
-/// of bodies that begin with W = -V the next two are side by side after k.
+/// magic.counts, deficient.counts. After the 2 k of rest U_(2 k) = U_k^2 - U_(k-1)^2 is 0
+/// (chebyshev.double), so that of bodies that begin with W = -V the next two are side by side
+/// after k.
 std::optional<std::int64_t> Trio::count_at_threshold() const {
   const auto* const ratio = from_.masses[1].ratio();
   if (ratio && ratio->is_magic && from_.W_per_V == -1) return cln::cl_I_to_long(ratio->k);

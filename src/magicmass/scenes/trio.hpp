@@ -82,7 +82,7 @@ private:
   bool is_at_once_ = false;  ///< all collisions, with the first
   /// Of A and C, 1 / that of B, and more; nothing for numbers of two fields, or of none.
   struct Exact {
-    Quadratic A, C, per_B, e, K, q_e;
+    Quadratic A, C, per_B, e, q_e;
   };
   std::optional<Exact> exact_;
   std::optional<std::int64_t> at_threshold_;
