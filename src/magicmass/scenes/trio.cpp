@@ -80,7 +80,7 @@ Found<Trio> Trio::of(const Start& start) try {
   t.is_at_once_ = part ? r * *part == 1 : d_B.is(0) && (r == 0 || d_A.is(0));
   const bool is_first = !(0 < r) || (t.is_at_once_ ? r < 1 : part && r * *part < 1);
   if (!V.is_positive()) return "";
-  if (!is_first) return t.is_at_once_ && r == 1 ? "all three meet at once, both as fast" : "";
+  if (!is_first) return t.is_at_once_ && r == 1 ? "all three meet at once, at equal speeds" : "";
   if (t.bodies() == 3 && masses[0].is(1) && masses[2].is(1) && e.is(1))
     t.at_threshold_ = t.count_at_threshold();
   if (r < 0)
@@ -92,7 +92,7 @@ Found<Trio> Trio::of(const Start& start) try {
 } catch (const std::domain_error&) {
   return unknown;
 } catch (const Undecided&) {
-  return "B runs away at, or too near, the one speed at which collisions never end, nor in time";
+  return "B runs away at the one speed, or too near it, at which collisions go on for ever";
 }
 Found<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
   const auto &wall = is_mirrored ? scene.left_wall : scene.right_wall,

@@ -5,8 +5,8 @@ namespace magicmass::scenes {
 namespace {
 
 constexpr std::int64_t most_of_way = std::int64_t(1) << 60;
-const std::string none_comes = "no block comes to the ball";
-const std::string ends = "no cradle, which begins and ends with a block, one of which alone moves";
+const std::string none_comes = "no block meets the ball";
+const std::string ends = "not a cradle, which begins and ends with a block, just one of them in motion";
 
 /// Does B reach this place only after the last collision of its trio?
 bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
@@ -74,11 +74,11 @@ Found<Trios> Trios::of(const std::vector<Value>& masses, const simulator::Line<Q
     if (!trio) return none_comes;
     const std::int64_t N = trio->at_threshold().value_or(1), k = N / 2;
     if (N % 2 != 0)
-      return "no cradle, which has blocks of mass 1, balls of magic ratios and no loss";
-    if (!(0 < L)) return "no cradle: a ball touches the next block";
+      return "not a cradle, which has blocks of mass 1, balls of magic ratios and no loss";
+    if (!(0 < L)) return "not a cradle: a ball touches the next block";
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
     if (next && *next - x[ball + 1] < L && !has_room(*trio, k, *next))
-      return "no cradle: a block comes to what is behind it before its ball rests";  // cradle.room
+      return "not a cradle: a block reaches what is behind it before its ball is at rest";  // cradle.room
     all.pairs_.push_back({*trio, k, all.way_, std::ssize(all.pairs_) * 2});
     all.way_ += N;  // cradle.number
     if (all.way_ > most_of_way) return "a cradle of more than 2^60 collisions";
