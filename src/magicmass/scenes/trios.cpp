@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::int64_t most_of_way = std::int64_t(1) << 60;
 const std::string none_comes = "no block meets the ball";
-const std::string ends = "not a cradle, which begins and ends with a block, just one of them in motion";
+const std::string ends = "not a cradle, which begins and ends with a block, one of them in motion";
 
 /// Does B reach this place only after the last collision of its trio?
 bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
@@ -78,7 +78,7 @@ Found<Trios> Trios::of(const std::vector<Value>& masses, const simulator::Line<Q
     if (!(0 < L)) return "not a cradle: a ball touches the next block";
     const auto next = ball + 2 < bodies ? std::optional(x[ball + 2]) : line.right_wall;
     if (next && *next - x[ball + 1] < L && !has_room(*trio, k, *next))
-      return "not a cradle: a block reaches what is behind it before its ball is at rest";  // cradle.room
+      return "not a cradle: a block meets what is behind it before its ball rests";  // cradle.room
     all.pairs_.push_back({*trio, k, all.way_, std::ssize(all.pairs_) * 2});
     all.way_ += N;  // cradle.number
     if (all.way_ > most_of_way) return "a cradle of more than 2^60 collisions";
