@@ -57,8 +57,7 @@ public:
         {" <= ", " \\le "},    {" != ", " \\ne "},           {"not ", "\\lnot "},
         {" and ", ",\\quad "}, {" implies ", " \\implies "}, {" if and only if ", " \\iff "}};
     if (const auto sign = signs.find(word); sign != signs.end()) return sign->second;
-    if (word.find_first_of("abcdefghijklmnopqrstuvwxyz") == word.npos) return word;
-    return "\\text{" + word + "}";
+    return is_sign(word) ? word : "\\text{" + word + "}";
   }
 };
 }  // namespace

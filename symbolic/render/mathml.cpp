@@ -59,22 +59,15 @@ public:
     return out;
   }
   std::string word(const std::string& word) const override {
-    static const std::map<std::string, std::string> signs{{"-", "−"},
-                                                          {" + ", "+"},
-                                                          {" - ", "−"},
-                                                          {",", ","},
-                                                          {", ", ","},
-                                                          {": ", ":"},
-                                                          {" = ", "="},
-                                                          {" < ", "&lt;"},
-                                                          {" <= ", "≤"},
-                                                          {" != ", "≠"},
-                                                          {"not ", "¬"},
-                                                          {" implies ", "⟹"},
-                                                          {" if and only if ", "⟺"}};
-    const auto sign = signs.find(word);
-    if (sign != signs.end()) return element("mo", sign->second);
+    static const std::map<std::string, std::string> signs{
+        {"-", "−"},    {" - ", "−"},  {" < ", "&lt;"},    {" <= ", "≤"},
+        {" != ", "≠"}, {"not ", "¬"}, {" implies ", "⟹"}, {" if and only if ", "⟺"}};
+    if (const auto sign = signs.find(word); sign != signs.end()) return element("mo", sign->second);
     std::string text = word;
+    if (is_sign(word)) {
+      std::erase(text, ' ');
+      return element("mo", text);
+    }
     for (std::size_t at = text.find(' '); at != text.npos; at = text.find(' ', at))
       text.replace(at, 1, "&#xa0;");
     return element("mtext", text);

@@ -7,11 +7,8 @@ namespace render {
 namespace {
 using kernel::Expr;
 using kernel::Exprs;
-using kernel::Op;
-using Lines = std::vector<std::string>;
 
-template <class All, class Print>
-std::string listed(const All& all, const Print& print, const std::string& between) {
+std::string listed(const auto& all, const auto& print, const std::string& between) {
   std::string out;
   for (const auto& one : all) out += (out.empty() ? "" : between) + print(one);
   return out;
@@ -37,30 +34,7 @@ std::string because(const Step& s, std::string (*link)(const std::string&)) {
   return s.rule + (s.premises.empty() ? "" : " from " + listed(s.premises, link, ", "));
 }
 /// A conjunction is shown a line a part.
-Exprs lines_of(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
-}  // namespace
-
-std::string text_page(const std::vector<Section>& sections) {
-  const auto print = [](Expr e) { return kernel::text(e); };
-  std::string out;
-  for (const Section& section : sections) {
-    out += (out.empty() ? "" : "\n\n") + section.title + "\n" +
-           std::string(section.title.size(), '=') + "\n";
-    if (!section.assumptions.empty())
-      out += wrapped("Throughout: " + listed(section.assumptions, print, ", ") + ".", "");
-    for (const Step& s : section.steps) {
-      out += "\n" + wrapped(s.words, "");
-      if (!s.conditions.empty()) out += wrapped("if " + listed(s.conditions, print, " and "), "  ");
-      for (const Expr& line : lines_of(s.formula)) out += wrapped(print(line), "    ");
-      out += wrapped("[" + s.id + "]" + (s.label.empty() ? "" : " (" + s.label + ")") + " by " +
-                         because(s, [](const std::string& id) { return id; }),
-                     "  ");
-    }
-  }
-  return out;
-}
-
-namespace {
+Exprs lines_of(Expr f) { return f.op() == kernel::Op::And ? f.args() : Exprs{f}; }
 /// What a page puts around its parts.
 struct Markup {
   std::string (*escaped)(const std::string& words);
@@ -128,6 +102,25 @@ std::string html_text(const std::string& words) {
   return escaped(words, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
 }
 
+std::string text_page(const std::vector<Section>& sections) {
+  const auto print = [](Expr e) { return kernel::text(e); };
+  std::string out;
+  for (const Section& section : sections) {
+    out += (out.empty() ? "" : "\n\n") + section.title + "\n" +
+           std::string(section.title.size(), '=') + "\n";
+    if (!section.assumptions.empty())
+      out += wrapped("Throughout: " + listed(section.assumptions, print, ", ") + ".", "");
+    for (const Step& s : section.steps) {
+      out += "\n" + wrapped(s.words, "");
+      if (!s.conditions.empty()) out += wrapped("if " + listed(s.conditions, print, " and "), "  ");
+      for (const Expr& line : lines_of(s.formula)) out += wrapped(print(line), "    ");
+      out += wrapped("[" + s.id + "]" + (s.label.empty() ? "" : " (" + s.label + ")") + " by " +
+                         because(s, as_it_is),
+                     "  ");
+    }
+  }
+  return out;
+}
 std::string markdown_page(const std::vector<Section>& sections) {
   return page(sections, {.escaped = as_it_is,
                          .heading = [](const std::string& title) { return "\n## " + title + "\n"; },

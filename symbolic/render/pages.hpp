@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Formulas, and a derivation as a page: plain text of at most 80 columns where words can be broken,
-// Markdown, LaTeX or HTML.
+// Formulas, and a derivation as a page: text of 80 columns if words fit, Markdown, LaTeX, HTML.
 #pragma once
 
 #include "kernel/expr.hpp"

@@ -69,15 +69,15 @@ protected:
   virtual std::string power(const std::string& base, const std::string& exponent) const = 0;
   virtual std::string matrix(const std::vector<Strings>& rows) const = 0;
   virtual std::string product(const Strings& factors) const = 0;
-  /// " + ", "-", ", ", " = ", " <= ", " and ", "not ", "for every integer ": what stands between
-  /// terms and formulas.
+  /// What stands between terms and formulas: " + ", "-", " <= ", " and ", "for every integer ".
   virtual std::string word(const std::string& word) const = 0;
+  static bool is_sign(const std::string& word) { return std::ranges::none_of(word, ::islower); }
 
 private:
   Piece visit(Expr e) const {
     switch (e.op()) {
       case Op::Num:
-        return number(e.value());
+        return rational(e.value());
       case Op::Var:
         return {name(e.name())};
       case Op::Fun:
@@ -120,7 +120,6 @@ private:
     const std::size_t end = std::min(plain.find('_'), plain.size());
     return name({plain.substr(0, end), is_primed, plain.substr(end).erase(0, 1)});
   }
-  std::string number(int n) const { return frames.number.of(std::to_string(n)); }
   std::string number(const cln::cl_I& n) const { return frames.number.of(kernel::digits(n)); }
   Strings parts(Expr e, int least) const {
     Strings out;
@@ -132,7 +131,7 @@ private:
     for (const std::string& p : parts(e, least)) out += (out.empty() ? "" : word(between)) + p;
     return out;
   }
-  Piece number(const cln::cl_RA& q) const {
+  Piece rational(const cln::cl_RA& q) const {
     const std::string over = number(cln::abs(cln::numerator(q)));
     const bool is_whole = cln::denominator(q) == 1;
     return {is_whole ? over : frames.fraction.of(over, number(cln::denominator(q))),
