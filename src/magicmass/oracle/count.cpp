@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Large counts are found by bisection on the signs of closing speeds.
-#include <optional>
-
 #include "magicmass/oracle/certain.hpp"
 
 namespace magicmass::oracle {
@@ -22,9 +20,8 @@ std::optional<bool> closes(const Interval& speed) {
 /// sin 2h, sin 3h, ..., positive up to the last collision, not positive for as many after it. So
 /// A's closing speed after n cycles runs as sin((2n+1) h), n = 2^i up to the first failure stays
 /// below the second zero, 2 pi, and the largest n with a positive one has its bits found from the
-/// top. Powers of one map commute: the bits can be applied in any order. Where a speed is exactly
-/// zero its sign stays open unless all intervals are points, as they are at alpha = 1, the one
-/// threshold that is rational.
+/// top. Powers of one map commute: bits can be applied in any order. Where a speed is exactly zero
+/// its sign stays open unless all intervals are points: alpha = 1 is the one rational threshold.
 std::optional<Counts> search(const Interval& alpha) {
   const Cycle<Interval> cycle = cycle_of(alpha);
   const auto A_closes = [](const Velocity<Interval>& v) { return closes(v(0) - v(2)); };

@@ -56,8 +56,7 @@ Interval operator/(const Interval& x, const Interval& y) {
   if (y.sign() == Sign::zero || y.sign() == Sign::open)
     throw Undecided("division by an interval that reaches zero");
   if (y.sign() == Sign::negative) return (Interval(0) - x) / (Interval(0) - y);
-  // u / v = (u 2^p / v) / 2^p with both ends at precision p; for v > 0 the extremes are u's ends
-  // over one of v's.
+  // u / v = (u 2^p / v) / 2^p at precision p; for v > 0 the extremes are u's ends over one of v's.
   const long p = std::max(x.precision_, y.precision_);
   const Interval u = x.at(p);
   const Interval v = y.at(p);

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Intervals with dyadic ends low/2^p <= x <= high/2^p; every operation rounds outward, so the true
-// value stays in.
+// Intervals low/2^p <= x <= high/2^p; each operation rounds outward, so the true value stays in.
 #pragma once
 
 #include <stdexcept>
 
-#include <cln/integer.h>
-#include <cln/rational.h>
+#include "magicmass/oracle/rational.hpp"
 
 namespace magicmass::oracle {
-
-using cln::cl_I;
-using cln::cl_RA;
 
 /// The question has an answer, but not at the precision or size that the oracle goes to.
 /// What the caller has wrong (alpha <= 0) is a std::invalid_argument.

@@ -4,13 +4,11 @@
 // after j collisions at the most, as functions of alpha over rationals or intervals.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "magicmass/oracle/interval.hpp"
-#include "magicmass/oracle/rational.hpp"
 
 namespace magicmass::oracle {
 
@@ -46,8 +44,7 @@ Cycle<Scalar> cycle_of(const Scalar& alpha) {
   return {collision(0, block, 2, alpha), collision(1, block, 2, alpha)};  // rows: a, b, c
 }
 
-/// The velocities after j >= 0 collisions, A's first, by squaring: the map goes on past the last
-/// collision, physics does not.
+/// The velocities after j >= 0 collisions, A's first, by squaring.
 template <class Scalar>
 Velocity<Scalar> after_collisions(const Cycle<Scalar>& cycle, const cl_I& j,
                                   Velocity<Scalar> v = Velocity<Scalar>::UnitX()) {
@@ -69,8 +66,7 @@ struct Counts {
 };
 
 /// Exact for rational alpha > 0 of any size, else throws std::invalid_argument; the cost grows with
-/// log(1/alpha). Throws Undecided if a sign is open at 64 times the bits that alpha's size calls
-/// for (never seen).
+/// log(1/alpha). Throws Undecided if a sign is open at 64 times alpha's own bits (never seen).
 Counts count_collisions(const cl_RA& alpha);
 
 /// a_n, b_n, c_n, c'_n, in this order, n >= 0; for n = 0 they are 1, 0, 0, 0. Also beyond the last
@@ -92,8 +88,7 @@ struct OfCycle {
 };
 
 /// When collision j takes place, from 0 on, and how far the blocks are apart then: velocities and
-/// the places that bodies would have had at time 0 obey one map, so before collision j they are
-/// those of its j-th power.
+/// the places that bodies would have had at time 0 obey one map: its j-th power gives both there.
 struct AtCollision {
   cl_I j;
 

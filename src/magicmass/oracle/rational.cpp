@@ -14,9 +14,6 @@
 namespace magicmass::oracle {
 namespace {
 
-using cln::cl_I;
-using cln::cl_RA;
-
 using Limits = std::numeric_limits<double>;
 constexpr long smallest_spacing = Limits::min_exponent - Limits::digits;
 constexpr long largest_spacing = Limits::max_exponent - Limits::digits;

@@ -9,21 +9,24 @@
 
 namespace magicmass::oracle {
 
+using cln::cl_I;
+using cln::cl_RA;
+
 /// The value of a finite double, exactly. Throws std::invalid_argument for an infinity or NaN.
-cln::cl_RA exact(double value);
+cl_RA exact(double value);
 
 /// The double nearest to x: ties to even, subnormals as they are spaced, infinity from the largest
 /// finite double plus half its spacing on.
-double nearest(const cln::cl_RA& x);
+double nearest(const cl_RA& x);
 
 /// |got - exact| / ulp(exact), rounded to nearest; ulp(y) is the spacing of doubles in the binade
 /// of |y|, 2^-1074 below the normal range, 2^971 above it. Infinity if got is not finite.
-double ulp_error(double got, const cln::cl_RA& exact_value);
+double ulp_error(double got, const cl_RA& exact_value);
 
 /// Bits of numerator and denominator together.
-long length(const cln::cl_RA& x);
+long length(const cl_RA& x);
 
 /// "p/q" in lowest terms with q > 1, or "p".
-std::string to_text(const cln::cl_RA& x);
+std::string to_text(const cl_RA& x);
 
 }  // namespace magicmass::oracle

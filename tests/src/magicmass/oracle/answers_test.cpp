@@ -7,14 +7,11 @@
 #include "magicmass/simulator/three_bodies.hpp"
 
 using namespace magicmass::oracle;
-using cln::cl_I;
-using cln::cl_RA;
 using Rationals = std::vector<cl_RA>;
 
 namespace {
 
-/// Velocities (a, b, c) after collisions: by powers of a cycle's two maps, and as the simulator
-/// steps.
+/// Velocities (a, b, c) after collisions: by powers of a cycle's maps, and as the simulator steps.
 std::pair<Rationals, Rationals> ends_of(const Cycle<cl_RA>& cycle, const cl_RA& alpha, int most) {
   magicmass::simulator::ThreeBodies<cl_RA> bodies(alpha);
   int collisions = 0;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Doubles and exact rationals at the ends of the range, and errors between them; ties and all
-// doubles in between are in what the report measures. Intervals hold the true result and are hardly
-// wider.
+// doubles in between are in what the report measures. Intervals hold the result, and hardly more.
 #include <cmath>
 #include <limits>
 #include <random>
@@ -11,8 +10,6 @@
 #include "magicmass/oracle/rational.hpp"
 
 using namespace magicmass::oracle;
-using cln::cl_I;
-using cln::cl_RA;
 using Limits = std::numeric_limits<double>;
 
 namespace {
