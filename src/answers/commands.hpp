@@ -19,8 +19,7 @@ Answer count(const Request& request);
 Answer terminal(const Request& request);
 
 /// The same answers for many rows at once, bit for bit, where a mass ratio is a double and the tier
-/// is fast or accurate; other rows have none here, as have those that are refused. Columns have
-/// their names in any case.
+/// is fast or accurate; others, and those refused, have none here. Columns have names in any case.
 Block eval_block(const Rows& rows);
 Block count_block(const Rows& rows);
 Block terminal_block(const Rows& rows);
@@ -36,8 +35,7 @@ Answer equal(const Request& request);
 /// The model that one scene's file needs, and why.
 Answer plan(const Request& request);
 /// A scene's motion. CSV and JSON Lines are its collisions, a row each, or where it wants no events
-/// but a trajectory, that; text and JSON begin with what it comes to. Rows are written as they
-/// come.
+/// but a trajectory, that; text and JSON begin with what it comes to. Rows come as they are found.
 Answer simulate(const Request& request);
 
 /// A question of an exercise or of the table of the paper's numbers, written as a command's words,

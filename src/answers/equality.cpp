@@ -8,9 +8,7 @@
 namespace answers {
 namespace {
 
-using equality::Verdict;
-
-Cell counterexample_cell(const Verdict& verdict) {
+Cell counterexample_cell(const equality::Verdict& verdict) {
   if (!verdict.counterexample) return missing_cell();
   const auto& [point, left, right, difference] = *verdict.counterexample;
   const Cell all = object_cell({{"at", text_cell(point)},
@@ -43,7 +41,7 @@ Answer equal(const Request& request) {
       place = sides.size() == 1 ? "right side, " : "";
     }
     const equality::Domain domain = equality::read_domain(request.text("domain"), symbols, notes);
-    const Verdict verdict = equality::decide(sides[0], sides[1], domain);
+    const equality::Verdict verdict = equality::decide(sides[0], sides[1], domain);
     notes.insert(notes.end(), verdict.notes.begin(), verdict.notes.end());
     for (auto note = notes.begin(); note != notes.end(); ++note)  // of both sides: said once
       notes.erase(std::remove(note + 1, notes.end(), *note), notes.end());

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What an answer throws instead; what() is one line, fit to be shown. Words of others in messages
-// of ours.
+// What an answer throws instead: one line, fit to be shown. Words of others in messages of ours.
 #pragma once
 
 #include <functional>
@@ -13,10 +12,8 @@ namespace answers {
 using magicmass::InvalidInput;  ///< exit code 2
 using magicmass::Undecided;     ///< exit code 3
 
-/// What it gives. What it refuses (kernel::Refused) was given by a user: InvalidInput, after
-/// `before`.
-template <class Action>
-auto given_by_user(const std::string& before, const Action& action) try {
+/// What it gives; what it refuses (kernel::Refused) a user gave: InvalidInput, after `before`.
+auto given_by_user(const std::string& before, const auto& action) try {
   return action();
 } catch (const kernel::Refused& refused) {
   throw InvalidInput(before + refused.what());
@@ -27,8 +24,7 @@ auto given_by_user(const std::string& before, const Action& action) try {
 std::string shown_text(std::string_view text, std::size_t longest = 60);
 
 /// A text of each: texts_of(figures, &Figure::name).
-template <class All, class Of>
-std::vector<std::string> texts_of(const All& all, const Of& of) {
+std::vector<std::string> texts_of(const auto& all, const auto& of) {
   std::vector<std::string> texts;
   for (const auto& one : all) texts.push_back(std::invoke(of, one));
   return texts;

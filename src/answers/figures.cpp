@@ -58,10 +58,10 @@ Places three_bodies(const std::string& alpha) {
   return places("alpha = " + alpha + "\npositions = [-1, 0, 1]\nuntil = 6\n", -1);
 }
 
-/// Each place is a row.
-Table table_of(const std::vector<std::string>& names, const Places& all) {
-  Table table{names, {}};
-  for (const std::vector<double>& place : all) table.rows.push_back(real_cells(place));
+/// A row for each of them.
+Table table_of(const Names& columns, const auto& all, const auto& row_of) {
+  Table table{columns, {}};
+  for (const auto& one : all) table.rows.push_back(row_of(one));
   return table;
 }
 
@@ -75,14 +75,13 @@ Table setup_data() {
 }
 
 Table counts_data() {
-  Table table{{"alpha", "N_A", "N_B"}, {}};
   std::vector<Alpha> steps = thresholds_above(0.01);
   steps.insert(steps.begin(), 2.0);
   steps.emplace_back(0.01);
-  for (auto alpha = steps.rbegin(); alpha != steps.rend(); ++alpha)
-    table.rows.push_back(
-        concatenated({{real_cell(nearest(*alpha))}, count_cells(count_collisions(*alpha))}));
-  return table;
+  std::ranges::reverse(steps);
+  return table_of({"alpha", "N_A", "N_B"}, steps, [](const Alpha& alpha) {
+    return concatenated({{real_cell(nearest(alpha))}, count_cells(count_collisions(alpha))});
+  });
 }
 
 /// Places of A, C, B from collision to collision, one panel after the other.
@@ -96,23 +95,20 @@ Table trajectories_data() {
 }
 
 Table terminal_data() {
-  Table table{{"alpha", "a_t", "b_t", "c_t"}, {}};
-  for (const Alpha& alpha : alphas()) {
+  return table_of({"alpha", "a_t", "b_t", "c_t"}, alphas(), [](const Alpha& alpha) {
     const LargeCounts counts = count_collisions(alpha);
     const Row v = rounded([&] { return terminal(alpha, counts); });
-    table.rows.push_back({real_cell(nearest(alpha)), v[0], v[1], v[2]});
-  }
-  return table;
+    return Row{real_cell(nearest(alpha)), v[0], v[1], v[2]};
+  });
 }
 
 Table transmission_data() {
-  Table table{{"alpha", "rho_1", "rho_0.9", "rho_0.8", "rho_0.7"}, {}};
-  for (const Alpha& alpha : alphas()) {
-    table.rows.push_back({real_cell(nearest(alpha))});
-    for (const int tenths : {10, 9, 8, 7})
-      table.rows.back().push_back(rho(alpha, cln::cl_RA(tenths) / 10));
-  }
-  return table;
+  const Names columns{"alpha", "rho_1", "rho_0.9", "rho_0.8", "rho_0.7"};
+  return table_of(columns, alphas(), [](const Alpha& alpha) {
+    Row row{real_cell(nearest(alpha))};
+    for (const int tenths : {10, 9, 8, 7}) row.push_back(rho(alpha, cln::cl_RA(tenths) / 10));
+    return row;
+  });
 }
 
 Table velocities_data() {
@@ -161,15 +157,13 @@ Table wedge_data() {
   return table;
 }
 
-/// Places of a block and of the ball between it and a wall, from collision to collision; they touch
-/// at time 0.
+/// A block and the ball between it and a wall, from collision to collision; they touch at time 0.
 Table way_data() {
   return table_of({"t", "x_block", "x_ball"},
-                  places("kind = \"wall\"\nmass_ratio = 100\nuntil = 3\n", 0));
+                  places("kind = \"wall\"\nmass_ratio = 100\nuntil = 3\n", 0), real_cells);
 }
 
-/// Places of five blocks and four balls at magic ratios from collision to collision, there and
-/// back.
+/// Five blocks and four balls at magic ratios, from collision to collision, there and back.
 Table cradle_data() {
   return table_of(
       {"t", "x_A1", "x_C1", "x_A2", "x_C2", "x_A3", "x_C3", "x_A4", "x_C4", "x_A5"},
@@ -178,7 +172,8 @@ Table cradle_data() {
              "positions = [-1, 0, 1, 2, 3, 4, 5, 6, 7]\n"
              "velocities = [1, 0, 0, 0, 0, 0, 0, 0, 0]\n"
              "right_wall = 8\nuntil = 20\n",
-             -1));
+             -1),
+      real_cells);
 }
 
 }  // namespace

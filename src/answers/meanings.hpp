@@ -6,8 +6,7 @@
 
 namespace answers {
 
-/// The term with what the book defines written out: psi, theta, V_CM, alpha_k, beta_k, rho, a_n,
-/// b_n, c_n, c'_n.
+/// The term with what the book defines (psi, theta, V_CM, alpha_k, rho, a_n, ...) written out.
 kernel::Expr written_out(kernel::Expr term);
 /// The equation that defines such a name: "a_n", "c_prime_n", "beta_7"; nothing for another one.
 kernel::Expr definition_of(const std::string& name);
@@ -19,8 +18,7 @@ kernel::Expr right_side(const std::string& id);
 kernel::Expr with_meanings(kernel::Expr typed, std::vector<std::string>& notes);
 
 /// The right side of an equation that a step states, in the symbols that people type; of several
-/// the one with this left side: "power.a", "deficient.terminal: b_(N_B)". Refused where there is
-/// none.
+/// the one with this left side: "power.a", "deficient.terminal: b_(N_B)". Refused where none is.
 kernel::Expr stated_value(const std::string& step);
 
 }  // namespace answers

@@ -18,9 +18,8 @@ Answer angle(const Request& request) {
   return {one_row({{"psi_over_pi", rounded(turns)[0]}})};
 }
 
-/// Where rho has the extremum that an elastic motion has at `near`, a magic:k or deficient:k, for a
-/// restitution below 1, a fraction, and the shift in percent. The place has 7 decimals unless told
-/// otherwise: a search finds no more.
+/// Where rho has the extremum that an elastic motion has at `near`, magic:k or deficient:k, for a
+/// fraction below 1 as restitution, and the shift in percent. A search finds 7 decimals, no more.
 Answer extremum(const Request& request) {
   const Alpha near = alpha_of(request.text("near"));
   const auto* at = std::get_if<notation::Threshold>(&near);

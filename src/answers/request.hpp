@@ -2,7 +2,6 @@
 // What is asked: words as they were typed, or as a row of CSV has them.
 #pragma once
 
-#include <map>
 #include <optional>
 
 #include "answers/table.hpp"

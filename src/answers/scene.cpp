@@ -15,8 +15,7 @@ struct Asked {
 };
 
 /// A part of a command, which names it where it cannot go on.
-template <class Part>
-auto part_of(const std::string& command, const Part& part) try {
+auto part_of(const std::string& command, const auto& part) try {
   return part();
 } catch (const Undecided& error) {
   throw Undecided(command + ": " + error.what());

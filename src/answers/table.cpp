@@ -67,8 +67,7 @@ std::vector<std::size_t> widths_of(const Names& columns, std::span<const Row> ro
 }
 
 /// In the fewest digits that read back as it; -0 as 0.
-template <class Number>
-void append_number(std::string& text, Number value) {
+void append_number(std::string& text, auto value) {
   std::array<char, 32> digits{};
   char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0).ptr;
   text.append(digits.data(), end);
@@ -179,8 +178,7 @@ bool Block::answers(std::size_t row) const {
                : std::get<std::vector<std::int64_t>>(columns.back())[row] >= 0;
 }
 
-template <class AppendField>
-void Writer::append_row(std::string& text, const AppendField& append_field) {
+void Writer::append_row(std::string& text, const auto& append_field) {
   if (format_ == Format::json && is_list_) text += is_first_ ? "\n" : ",\n";
   if (format_ != Format::csv) text += '{';
   for (std::size_t i = 0; i < columns_.size(); ++i) {

@@ -2,8 +2,6 @@
 // Answers are tables that know their columns; they are written as text, JSON or CSV.
 #pragma once
 
-#include <concepts>
-#include <cstdint>
 #include <initializer_list>
 #include <span>
 #include <utility>
@@ -26,8 +24,7 @@ std::string formatted(const std::string& format, double value);
 /// Text in UTF-8: what others typed is shown_text() first. Also "p/q", "p" and certified digits,
 /// since no number of JSON would hold them.
 Cell text_cell(std::string_view text);
-/// The shortest decimal that reads back as the same double; -0 is 0; null in JSON and nothing else
-/// where it is not finite.
+/// The shortest decimal that reads back as the same double; 0 for -0; missing where not finite.
 Cell real_cell(double value);
 /// A whole number of any size from its decimal digits: a number in JSON, too.
 Cell whole_cell(const std::string& digits);
@@ -91,8 +88,7 @@ private:
   std::vector<std::size_t> widths_;  // empty: a block of lines a row
 
   std::string text_rows(std::span<const Row> block);
-  template <class AppendField>
-  void append_row(std::string& text, const AppendField& append_field);
+  void append_row(std::string& text, const auto& append_field);
 };
 
 /// The whole table.

@@ -42,8 +42,7 @@ struct Asked {
   /// Fractions that so many steps make longer by so many bits of the mass ratio and of `others`
   /// each, or rounded from short ones: these may be halfway between two. Else of balls. Throws
   /// where fractions are wanted: InvalidInput where there are none, Undecided for too long ones.
-  template <class Fractions>
-  Row cells(const cln::cl_I& steps, const std::string& name, const Fractions& fractions,
+  Row cells(const cln::cl_I& steps, const std::string& name, const auto& fractions,
             const std::function<Balls()>& balls, int longest = 1 << 22,
             std::size_t others = 0) const {
     const auto fraction = fraction_of(alpha);
@@ -75,8 +74,7 @@ Answer answer(Names columns, std::initializer_list<Row> parts) {
   return {{std::move(columns), {concatenated(parts)}, false}, ""};
 }
 
-// Many rows at once: what does not read as a number becomes one that the array functions have no
-// answer for.
+// Many rows at once: what is no number becomes one that the array functions have no answer for.
 
 using Reals = std::vector<double>;
 using Wholes = std::vector<std::int64_t>;

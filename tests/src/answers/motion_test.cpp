@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Answers from theorems against the oracle and exact steps, which know the collision law alone.
-// Minimal polynomials: their roots by doubles next to them, and their degree, that of the field,
-// so that they have no factor.
+// Minimal polynomials: roots by doubles beside them; no factor, since their degree is the field's.
 #include "answers/motion.hpp"
 
 #include <numeric>
