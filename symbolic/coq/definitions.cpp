@@ -4,26 +4,6 @@
 #include "kernel/names.hpp"
 
 namespace coq {
-Script::Script(Proofs of) : chosen(std::move(of)) {
-  for (const auto& [content, t] : chosen) {
-    const Step s = t.step();
-    if (s.rule == "define" || s.rule == "least") definitions.emplace(s.extras[0].name(), t);
-    if (s.rule == "start" || s.rule == "next")
-      for (std::size_t k = 1; k < s.extras.size(); k += 4)
-        definitions.emplace(s.extras[k].name(), t);
-  }
-}
-void Script::define_all(Expr e) {
-  static const std::set<std::string> of_coq = {"inv", "sqrt", "sin", "cos", "atan", "ceil", "pi"};
-  const bool is_own = e.op() == Op::Fun && !of_coq.count(e.name());
-  if (is_own && !std::exchange(is_defined[e.name()], true)) {
-    const auto it = definitions.find(e.name());
-    if (it == definitions.end()) kernel::refuse("no definition of " + e.name());
-    written += definition(it->second);
-  }
-  for (Expr a : e.args()) define_all(a);
-}
-
 namespace {
 std::string parameters(const Exprs& variables) {
   return variables.empty() ? "" : " (" + spaced(names_of(variables)).substr(1) + " : R)";
@@ -38,29 +18,6 @@ std::string integer_lemma(Expr call, const std::string& proof) {
          premises + "isint " + gallina(call) + ".\nProof. intros. " + proof +
          " Qed.\nGlobal Hint Resolve int'" + call.name() + " : int.\n";
 }
-}  // namespace
-
-std::string Script::definition(const Theorem& t) {
-  const Step s = t.step();
-  if (s.rule == "start" || s.rule == "next") return recursion(s);
-  const Expr call = s.extras[0];
-  const std::string head = "Definition " + name(call.name()) + parameters(call.args());
-  const bool is_least = s.rule == "least";
-  for (Expr e : s.extras)
-    if (!(e == call)) define_all(e);
-  const std::string value = is_least
-                                ? "least " + gallina(s.extras[1]) + " (fun " +
-                                      name(s.extras[2].name()) + " => " + gallina(s.extras[3]) + ")"
-                                : gallina(s.extras[1]);
-  static const std::map<Sort, std::string> types = {
-      {Sort::Real, "R"}, {Sort::Int, "R"}, {Sort::Bool, "Prop"}, {Sort::Matrix, "list R"}};
-  const std::string made = head + " : " + types.at(call.sort()) + " := " + value + ".\n";
-  if (call.sort() != Sort::Int) return made;
-  return made + integer_lemma(call, is_least ? "apply int_least; int."
-                                             : "unfold " + name(call.name()) + "; int.");
-}
-
-namespace {
 /// A recursion: n, then for each sequence its value at n, the variable for the value before, the
 /// start, the step. In Coq they are functions of a natural number, defined together.
 struct Recursion {
@@ -81,6 +38,46 @@ struct Recursion {
   Exprs values = {}, before = {}, start = {}, next = {}, params = {};
 };
 }  // namespace
+
+Script::Script(Proofs of) : chosen(std::move(of)) {
+  for (const auto& [content, t] : chosen) {
+    const Step s = t.step();
+    if (s.rule == "define" || s.rule == "least") definitions.emplace(s.extras[0].name(), t);
+    if (s.rule == "start" || s.rule == "next")
+      for (std::size_t k = 1; k < s.extras.size(); k += 4)
+        definitions.emplace(s.extras[k].name(), t);
+  }
+}
+void Script::define_all(Expr e) {
+  static const std::set<std::string> of_coq = {"inv", "sqrt", "sin", "cos", "atan", "ceil", "pi"};
+  const bool is_own = e.op() == Op::Fun && !of_coq.count(e.name());
+  if (is_own && !std::exchange(is_defined[e.name()], true)) {
+    const auto it = definitions.find(e.name());
+    if (it == definitions.end()) kernel::refuse("no definition of " + e.name());
+    written += definition(it->second);
+  }
+  for (Expr a : e.args()) define_all(a);
+}
+
+std::string Script::definition(const Theorem& t) {
+  const Step s = t.step();
+  if (s.rule == "start" || s.rule == "next") return recursion(s);
+  const Expr call = s.extras[0];
+  const std::string head = "Definition " + name(call.name()) + parameters(call.args());
+  const bool is_least = s.rule == "least";
+  for (Expr e : s.extras)
+    if (!(e == call)) define_all(e);
+  const std::string value = is_least
+                                ? "least " + gallina(s.extras[1]) + " (fun " +
+                                      name(s.extras[2].name()) + " => " + gallina(s.extras[3]) + ")"
+                                : gallina(s.extras[1]);
+  static const std::map<Sort, std::string> types = {
+      {Sort::Real, "R"}, {Sort::Int, "R"}, {Sort::Bool, "Prop"}, {Sort::Matrix, "list R"}};
+  const std::string made = head + " : " + types.at(call.sort()) + " := " + value + ".\n";
+  if (call.sort() != Sort::Int) return made;
+  return made + integer_lemma(call, is_least ? "apply int_least; int."
+                                             : "unfold " + name(call.name()) + "; int.");
+}
 
 std::string Script::recursion(const Step& s) {
   const Recursion r(s);

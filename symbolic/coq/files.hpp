@@ -10,8 +10,7 @@ namespace coq {
 /// What a theorem says.
 using Sequent = std::pair<kernel::Exprs, kernel::Expr>;
 Sequent sequent_of(const kernel::Theorem& t);
-/// All different theorems that `shown` rest on, themselves too, each with one proof, and none
-/// rests on itself.
+/// All different theorems that `shown` rest on, and they, each with a proof; none rests on itself.
 using Proofs = std::map<Sequent, kernel::Theorem>;
 Proofs proofs_of(const kernel::Theorems& shown);
 
@@ -24,8 +23,7 @@ struct Files {
   int steps = 0;                                           ///< different ones, each a lemma
   int shown = 0;
 };
-/// prelude.v, a file for each chapter, and assumptions.v, which prints the axioms that all theorems
-/// rest on.
+/// prelude.v, a file a chapter, and assumptions.v, which prints what axioms all theorems rest on.
 Files files(const std::vector<Chapter>& chapters);
 /// The first axiom in what coqc says of assumptions.v that is not of Coq's library of real numbers
 /// and of classical logic; "" where there is none.

@@ -23,8 +23,7 @@ using Atoms = std::map<Expr, std::string>;
 
 /// A name of the kernel; those that Coq or the prelude uses get a mark.
 std::string name(const std::string& kernel_name);
-/// In Coq's language. `bound`: what the variables of the quantifiers around e are called,
-/// outermost first.
+/// In Coq's language. `bound`: names of the variables of quantifiers around e, outermost first.
 std::string gallina(Expr e, const Names& bound = {}, const Atoms& atoms = {});
 /// Names for the indices of e that lead out of it.
 Names loose_names(Expr e);
@@ -34,8 +33,7 @@ Names names_of(const Exprs& variables);
 /// The free variables of all of them, in order of creation.
 Exprs variables_of(const Exprs& es);
 
-/// Terms with their atoms as variables: x' for a canonical atom, y' for one that is equal to a
-/// polynomial of those.
+/// Terms with atoms as variables: x' for a canonical one, y' for one equal to a polynomial in x'.
 struct Abstraction {
   /// Adds e, a part that polynomials do not look into, and what it is equal to.
   void add(Expr e);
@@ -65,8 +63,7 @@ private:
   struct Context {
     Exprs variables, hypotheses;
   };
-  /// How a statement about an abstraction's variables begins and is proved, and for what terms it
-  /// is used then.
+  /// How a statement about an abstraction's variables begins, is proved, and for what it is used.
   struct Core {
     std::string statement;  ///< "forall ..., y' = x' -> "
     std::string intros;     ///< " x'0 y'0 ->"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Propositional logic: parts that are no connective become variables, those with one canonical form
-// the same; l <= r is not r < l.
+// Propositional logic: parts with one canonical form become one variable; l <= r is not r < l.
 #include "coq/script.hpp"
 #include "kernel/polynomial.hpp"
 

@@ -35,6 +35,36 @@ Expr scaled(Expr scalar, Expr grid) {
   for (Expr e : entries(grid)) out.push_back(scalar * e);
   return matrix(grid.cols(), out);
 }
+
+// The names and functions of what people type, kept apart from those of the derivation.
+constexpr std::string_view mark = "typed_";
+
+// Declared at the first use; the kernel has no axiom of them.
+Expr apply(const std::string& name, const Exprs& args) {
+  if (!signature(name)) declare(name, {.args = std::vector<Sort>(args.size(), Sort::Real)});
+  return fun(name, args);
+}
+bool is_long(const cln::cl_RA& q, int times = 1) { return bits(q) * std::size_t(times) > 1000; }
+
+// x^y is a power with an exponent from here on, which nobody can type: so the kernel prints it.
+constexpr int first_mark = 500000;
+std::string bracketed(Expr e) {
+  const std::string text = typed_text(e);
+  const bool is_word = e.op() == Op::Var || (e.op() == Op::Fun && !is_call(e, "raised"));
+  return (is_word && !is_call(e, "inv")) || is_whole(text) ? text : "(" + text + ")";
+}
+// As the operators make it, without inv(2).
+Expr printable(Expr e, std::vector<std::string>& exponents) {
+  if (is_call(e, "raised")) {
+    const Expr base = printable(e.arg(0), exponents);
+    exponents.push_back(bracketed(e.arg(1)));
+    return kernel::power(base, first_mark + int(exponents.size()) - 1);
+  }
+  if (e.size() == 0) return e;
+  Exprs args;
+  for (Expr arg : e.args()) args.push_back(printable(arg, exponents));
+  return is_call(e, "inv") ? Expr(1) / args[0] : with_args(e, args);
+}
 }  // namespace
 
 std::size_t bits(const cln::cl_RA& q) {
@@ -154,38 +184,6 @@ Expr grid_of(const std::vector<Exprs>& rows, std::size_t column) {
   if (all.size() > 100) refuse_at(column, "a matrix of more than 100 entries");
   return matrix(cols, all);
 }
-
-// The names and functions of what people type, kept apart from those of the derivation.
-namespace {
-constexpr std::string_view mark = "typed_";
-
-// Declared at the first use; the kernel has no axiom of them.
-Expr apply(const std::string& name, const Exprs& args) {
-  if (!signature(name)) declare(name, {.args = std::vector<Sort>(args.size(), Sort::Real)});
-  return fun(name, args);
-}
-bool is_long(const cln::cl_RA& q, int times = 1) { return bits(q) * std::size_t(times) > 1000; }
-
-// x^y is a power with an exponent from here on, which nobody can type: so the kernel prints it.
-constexpr int first_mark = 500000;
-std::string bracketed(Expr e) {
-  const std::string text = typed_text(e);
-  const bool is_word = e.op() == Op::Var || (e.op() == Op::Fun && !is_call(e, "raised"));
-  return (is_word && !is_call(e, "inv")) || is_whole(text) ? text : "(" + text + ")";
-}
-// As the operators make it, without inv(2).
-Expr printable(Expr e, std::vector<std::string>& exponents) {
-  if (is_call(e, "raised")) {
-    const Expr base = printable(e.arg(0), exponents);
-    exponents.push_back(bracketed(e.arg(1)));
-    return kernel::power(base, first_mark + int(exponents.size()) - 1);
-  }
-  if (e.size() == 0) return e;
-  Exprs args;
-  for (Expr arg : e.args()) args.push_back(printable(arg, exponents));
-  return is_call(e, "inv") ? Expr(1) / args[0] : with_args(e, args);
-}
-}  // namespace
 
 std::optional<cln::cl_RA> rational_value(Expr e) {
   if (e.op() == Op::Num) return e.value();

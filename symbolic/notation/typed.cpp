@@ -55,8 +55,7 @@ private:
     if (is(",")) refuse_here(wrong_comma);
     refuse_here("an operator is missing before " + now().text);
   }
-  template <class Part>
-  Expr nested(Part part) {
+  Expr nested(Expr (Parser::*part)()) {
     if (++depth > 200) refuse_here("nested more than 200 deep");
     const Expr e = (this->*part)();
     --depth;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// coqc accepts what is emitted for each rule, each kind of definition and each axiom, and nothing
-// that was spoiled.
+// coqc accepts what is emitted for each rule, kind of definition and axiom, and nothing spoiled.
 #include <cstdlib>
 #include <regex>
 

@@ -30,10 +30,7 @@ struct Words {
     define("contact", {x, y}, lt(x, y), 0);
   }
 };
-template <class... Terms>
-Expr call(const std::string& name, Terms... terms) {
-  return fun(name, {terms...});
-}
+Expr call(const std::string& name, auto... terms) { return fun(name, {terms...}); }
 // Random trees over all that the kernel can make.
 class Trees {
 public:
@@ -90,18 +87,14 @@ public:
   Expr formula(int depth) {
     const auto sub = [&] { return formula(depth - 1); };
     const auto from = [&] { return imp(le(integer_term(1), w.n), sub()); };
+    const auto three = [&] { return Exprs{sub(), sub(), sub()}; };
     return one_of(
         depth, 5,
         {[&] { return eq(term(depth), term(depth)); }, [&] { return lt(term(depth), term(depth)); },
          [&] { return le(integer_term(depth), term(depth)); },
          [&] { return call("contact", term(depth), w.x); },
          [&] { return eq(square(depth), square(depth)); }, [&] { return logic_not(sub()); },
-         [&] {
-           return logic_and({sub(), sub(), sub()});
-         },
-         [&] {
-           return logic_or({sub(), sub()});
-         },
+         [&] { return logic_and(three()); }, [&] { return logic_or(three()); },
          [&] { return imp(sub(), sub()); }, [&] { return iff(sub(), sub()); },
          [&] { return all(below(2) ? w.x : w.y, sub()); },
          [&] { return all(below(2) ? w.n : w.k, sub()); }, [&] { return all(w.n, from()); }});
