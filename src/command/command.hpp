@@ -17,8 +17,7 @@ struct Option {
   std::string words;                      ///< what it does
   std::vector<std::string> choices = {};  ///< what is allowed, if not everything
   bool is_required = false;
-  bool is_column = false;  ///< may come from a column of --input; one such option gives the command
-                           ///< --input
+  bool is_column = false;  ///< may be a column of --input, which commands with such an option have
 };
 
 struct Limits {

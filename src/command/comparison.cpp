@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 #include "answers/commands.hpp"

@@ -17,8 +17,7 @@ namespace {
 
 constexpr std::size_t buffer_size = std::size_t{1} << 16U;
 
-/// The descriptor that a path names (/dev/stdout, /dev/fd/3), or -1: opening it anew would not go
-/// on where others wrote.
+/// The descriptor a path names (/dev/fd/3), or -1: opened anew it overwrites what others wrote.
 int named_descriptor(const std::string& path) {
   if (path.empty() || path == "-" || path == "/dev/stdout") return STDOUT_FILENO;
   if (path == "/dev/stderr") return STDERR_FILENO;
@@ -45,8 +44,7 @@ std::string folder_of(const std::string& target) {
 }
 
 /// A name beside the target that nobody has: make(name) is to fail with EEXIST where one has.
-template <class Make>
-std::string fresh_name(const std::string& target, const Make& make) {
+std::string fresh_name(const std::string& target, const auto& make) {
   for (int number = 0; number < 1000; ++number) {
     const std::string name = folder_of(target) + "/.magicmass-" + std::to_string(::getpid()) + "-" +
                              std::to_string(number);

@@ -19,8 +19,7 @@ answers::Answer generate_files(const answers::Request& request);
 /// answers::derive, and format coq: a folder of files, written to --output. Throws InvalidInput
 /// where a folder is missing or chapters are chosen.
 answers::Answer derive(const answers::Request& request);
-/// answers::verify, and --with coq: then coqc checks each step, too. Throws InvalidInput where
-/// there is no coqc.
+/// answers::verify; with coq: coqc checks each step, too. Throws InvalidInput where there is none.
 answers::Answer verify(const answers::Request& request);
 /// One of the paper or of the report by its name, in svg, png, pdf or csv: the same bytes from
 /// every run, PDF but for the date where cairo compresses it. With list: all names.
@@ -34,8 +33,7 @@ answers::Answer reproduce(const answers::Request& request);
 /// and what is said of it. Throws std::runtime_error, naming the row, for one that has no meaning.
 answers::Table comparisons(std::string_view paper_numbers);
 
-/// For text and markdown a page with a table for each label. The check has failed where one
-/// differs.
+/// In text and markdown a table for each label. The check has failed where a number differs.
 answers::Answer page_of(const answers::Table& comparisons, const std::string& format);
 
 }  // namespace command

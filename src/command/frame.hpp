@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From the words of the command line to a request; the bound on time and memory, put once around
-// whatever answers it.
+// From words of the command line to a request; the bound on time and memory around what answers it.
 #pragma once
 
 #include "command/command.hpp"
@@ -13,8 +12,7 @@ struct Asked {
   Limits limits;             ///< --time-limit, --memory-limit
 };
 
-/// What was asked, or the text of --help or --version. Throws answers::InvalidInput for words that
-/// ask for nothing.
+/// What was asked, or the text of --help or --version. Throws answers::InvalidInput for all else.
 std::variant<Asked, std::string> parse(const Program& program, std::vector<std::string> words);
 
 /// Tells how many rows are done; 0: output begins, so that the terminal's progress line goes.

@@ -6,7 +6,6 @@
 #include <exception>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace command {
@@ -16,15 +15,13 @@ namespace command {
 /// the end. Throws answers::InvalidInput, "FILE:LINE: what", for anything else.
 class CsvReader {
 public:
-  /// Opens a file, or stdin for "-", and reads its header; refused columns are, and others that are
-  /// not wanted are skipped.
+  /// Opens a file ("-": stdin) and reads its header; skips columns neither wanted nor refused.
   CsvReader(const std::string& path, const std::vector<std::string>& wanted,
             const std::vector<std::string>& refused = {});
 
   /// The wanted columns that are there.
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Fields of the next rows, at most so many, by column; none of them is empty. Fewer where the
-  /// next one waits(). False: no row.
+  /// Fields of the next rows, none empty: so many, or fewer where the next waits(). False: no row.
   bool read(std::vector<std::vector<std::string>>& rows, std::size_t most);
   /// Whether the next line is still to be written by whoever writes into the pipe.
   bool waits() const;

@@ -12,7 +12,6 @@
 #pragma once
 
 #include <filesystem>
-#include <set>
 
 #include "answers/errors.hpp"
 #include "learn/exercise.hpp"

@@ -87,8 +87,7 @@ struct Reader {
       refuse(node, "a misconception needs a name, answers (or, of code, replace) and feedback");
   }
   /// Each key to the member of its name; `known` are read elsewhere.
-  template <class Object>
-  void read_keys(const toml::table& table, Texts known, const std::string& in, Object& to) const {
+  void read_keys(const toml::table& table, Texts known, const std::string& in, auto& to) const {
     each_key(to, [&](const std::string& key, auto& member) {
       known.push_back(key);
       if (const toml::node* node = table.get(key)) read(key, *node, member);

@@ -60,8 +60,7 @@ double rounded(double x) { return x; }
 double rounded(const cln::cl_RA& x) { return oracle::nearest(x); }
 
 /// Our results and the generated ones have the same fields, some of them.
-template <class Result>
-void store(Columns& to, std::size_t i, const Result& r) {
+void store(Columns& to, std::size_t i, const auto& r) {
   const auto values = [&](const auto&... x) {
     std::size_t column = 0;
     ((to.values[column++][i] = rounded(x)), ...);
@@ -79,8 +78,7 @@ void store(Columns& to, std::size_t i, const Result& r) {
 }
 
 /// One call after the other, each result stored: nothing else is in the loop.
-template <class Of>
-std::function<void(Columns&)> each(Of of) {
+std::function<void(Columns&)> each(auto of) {
   return [of](Columns& columns) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if constexpr (requires { of(0.5, std::int64_t{1}); })

@@ -14,8 +14,7 @@ namespace {
 
 namespace oracle = magicmass::oracle;
 
-template <class Asked>
-void add(Truth& truth, const oracle::MassRatio& alpha, const Asked& quantity) {
+void add(Truth& truth, const oracle::MassRatio& alpha, const auto& quantity) {
   const auto add_all = [](auto& to, const auto& more) {
     to.insert(to.end(), more.begin(), more.end());
   };

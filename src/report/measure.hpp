@@ -3,15 +3,11 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
 #include <random>
-#include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <cln/rational.h>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <set>
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/oracle/rational.hpp"
@@ -42,8 +41,7 @@ Fields fields_of(const Measurement& one) {
           {"ratio_high", short_cell(one.times.ratio_high)}};
 }
 
-/// The measurements of one implementation: their worst family, sums over all, and the times on
-/// everyday inputs.
+/// Of one implementation: the worst family, sums over all, and the times on everyday inputs.
 Measurement over_families(const std::vector<Measurement>& its) {
   Measurement all{its[0].evaluator, its[0].quantity, "", {}, {}};
   for (const Measurement& one : its) {

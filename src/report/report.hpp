@@ -7,8 +7,7 @@
 
 namespace report {
 
-/// Headings and narrow tables: the worst family of each evaluator, then each family. Fits 80
-/// columns, or is Markdown.
+/// The worst family of each evaluator, then each family: tables of 80 columns, or Markdown.
 std::string document_of(const std::vector<Measurement>& measurements, bool is_markdown);
 
 /// --quick, --only NAME; formats text, markdown, json, csv.

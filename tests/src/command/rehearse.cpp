@@ -2,13 +2,12 @@
 // A program on the frame of magicmass whose commands do what may go wrong.
 #include <chrono>
 #include <csignal>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 #include "command/command.hpp"
 #include "command/files.hpp"
 #include "host/child.hpp"
+#include "magicmass/scenes/files.hpp"
 
 namespace {
 
@@ -79,8 +78,7 @@ command::Command plain(const std::string& name, Answer (*run)(const Request&)) {
 }
 /// Numbers of a paper, which may be spoiled.
 Answer compare(const Request& request) {
-  std::ifstream file(request.words.at(0));
-  const std::string numbers(std::istreambuf_iterator<char>(file), {});
+  const std::string numbers = magicmass::scenes::text_of(request.words.at(0));
   return command::page_of(command::comparisons(numbers), "text");
 }
 Answer words(const Request& request) { return document(answers::joined(request.words) + "\n"); }
