@@ -18,7 +18,7 @@ kernel::Expr right_side(const std::string& id);
 kernel::Expr with_meanings(kernel::Expr typed, std::vector<std::string>& notes);
 
 /// The right side of an equation that a step states, in the symbols that people type; of several
-/// the one with this left side: "power.a", "deficient.terminal: b_(N_B)". Refused where none is.
+/// the one with this left side: "power.a", "deficient.terminal: b_(N_B)". Refused if there is none.
 kernel::Expr stated_value(const std::string& step);
 
 }  // namespace answers

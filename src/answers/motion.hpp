@@ -31,7 +31,7 @@ LargeCounts count_collisions(const notation::Alpha& alpha);
 Row count_cells(const LargeCounts& counts);
 
 /// a, b, c, c_prime in units of V after n cycles, or the terminal a, b, c and rho, with the bits
-/// set now. What is 0 by a theorem is exactly 0: before any collision, where B takes everything.
+/// set now. What is 0 by a theorem is exactly 0: before any collision, and where B takes all.
 using Balls = std::vector<Ball>;
 Balls velocities(const notation::Alpha& alpha, const cln::cl_I& n);
 Balls terminal(const notation::Alpha& alpha, const LargeCounts& counts);

@@ -62,10 +62,10 @@ Destination::Destination(const std::string& path, std::function<void()> before_w
       before_writing_(std::move(before_writing)) {
   if (descriptor_ == STDOUT_FILENO) shown_ = "stdout";
   if (descriptor_ >= 0) return;
-  struct stat there {};
-  const bool exists = ::stat(path.c_str(), &there) == 0;
+  struct stat status {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
   if (!exists && errno != ENOENT) refuse(errno);  // a link to itself, for one
-  if (exists && !S_ISREG(there.st_mode)) {
+  if (exists && !S_ISREG(status.st_mode)) {
     descriptor_ = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (descriptor_ < 0) refuse(errno);
     return;
@@ -73,7 +73,7 @@ Destination::Destination(const std::string& path, std::function<void()> before_w
   target_ = behind_links(path);
   if (exists && ::access(target_.c_str(), W_OK) != 0) refuse(errno);
   open_atomic();
-  if (exists && ::fchmod(descriptor_, there.st_mode & 07777U) != 0) refuse(errno);
+  if (exists && ::fchmod(descriptor_, status.st_mode & 07777U) != 0) refuse(errno);
 }
 
 void Destination::open_atomic() {

@@ -21,7 +21,7 @@ public:
 
   /// The wanted columns that are there.
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Fields of the next rows, none empty: so many, or fewer where the next waits(). False: no row.
+  /// Fields of the next rows, none empty: `most`, or fewer where the next waits(). False: no row.
   bool read(std::vector<std::vector<std::string>>& rows, std::size_t most);
   /// Whether the next line is still to be written by whoever writes into the pipe.
   bool waits() const;

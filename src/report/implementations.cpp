@@ -111,9 +111,9 @@ Columns::Columns(std::span<const Input> inputs) {
 
 const std::vector<Implementation>& implementations() {
   using enum Quantity;
-  using At = Velocities (*)(double, std::int64_t);
-  using When = Collision (*)(double, std::int64_t);
-  using End = std::optional<Terminal> (*)(double);
+  using AtCycle = Velocities (*)(double, std::int64_t);
+  using AtCollision = Collision (*)(double, std::int64_t);
+  using AtEnd = std::optional<Terminal> (*)(double);
   using Count = std::optional<Counts> (*)(double);
   constexpr std::size_t few = 50;
   const auto closed_ratios = [](std::int64_t k) {
@@ -127,22 +127,22 @@ const std::vector<Implementation>& implementations() {
       {"tangent", velocities, each(generated::velocities_tangent<double>)},
       {"stepping", velocities, each(stepped), few},
       {"exact rational", velocities, each(rational_velocities), few},
-      {"fast", velocities, each(At(fast::velocities))},
-      {"accurate", velocities, each(At(accurate::velocities))},
+      {"fast", velocities, each(AtCycle(fast::velocities))},
+      {"accurate", velocities, each(AtCycle(accurate::velocities))},
       {"fast arrays", velocities,
        [](Columns& c) { fast::velocities(c.alpha, c.index, velocity_columns(c)); }},
       {"accurate arrays", velocities,
        [](Columns& c) { accurate::velocities(c.alpha, c.index, velocity_columns(c)); }},
       {"naive", collisions, each(naive::collision)},
-      {"fast", collisions, each(When(fast::collision))},
-      {"accurate", collisions, each(When(accurate::collision))},
+      {"fast", collisions, each(AtCollision(fast::collision))},
+      {"accurate", collisions, each(AtCollision(accurate::collision))},
       {"naive", terminal, each(naive::terminal)},
       {"closed", terminal, each(generated::terminal_closed<double>)},
       {"tangent", terminal, each(generated::terminal_tangent<double>)},
       {"stepping", terminal, each(stepped_to_the_end), few},
       {"exact rational", terminal, each(rational_terminal), few},
-      {"fast", terminal, each(End(fast::terminal))},
-      {"accurate", terminal, each(End(accurate::terminal))},
+      {"fast", terminal, each(AtEnd(fast::terminal))},
+      {"accurate", terminal, each(AtEnd(accurate::terminal))},
       {"fast arrays", terminal, [](Columns& c) { fast::terminal(c.alpha, terminal_columns(c)); }},
       {"accurate arrays", terminal,
        [](Columns& c) { accurate::terminal(c.alpha, terminal_columns(c)); }},

@@ -23,7 +23,7 @@ struct Files {
   int steps = 0;                                           ///< different ones, each a lemma
   int shown = 0;
 };
-/// prelude.v, a file a chapter, and assumptions.v, which prints what axioms all theorems rest on.
+/// prelude.v, a file for each chapter, and assumptions.v, which prints the axioms they all rest on.
 Files files(const std::vector<Chapter>& chapters);
 /// The first axiom in what coqc says of assumptions.v that is not of Coq's library of real numbers
 /// and of classical logic; "" where there is none.

@@ -85,9 +85,9 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
     if (rest.size() == 1 || is_greek_name(rest) || is_whole(rest))
       return word + ": is " + function + "(" + rest + ") meant?";
   }
-  const std::size_t mark = word.find('_');
-  if (mark != word.npos && is_function(word.substr(0, mark))) return "unknown function " + word;
-  const bool has_index = mark != word.npos && !word.ends_with("_prime");
+  const std::size_t bar = word.find('_');
+  if (bar != word.npos && is_function(word.substr(0, bar))) return "unknown function " + word;
+  const bool has_index = bar != word.npos && !word.ends_with("_prime");
   if (!is_before_bracket || has_index || usual.contains(word) || is_greek_name(word)) return "";
   if (rounding.contains(word)) return word + ": there are no rounding functions here";
   const std::string unknown = "unknown function " + typed_text(symbol(word));
@@ -101,9 +101,9 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
 }
 
 cln::cl_RA number_of(const Token& token) {
-  const std::size_t mark = token.text.find('E');
-  std::string digits = "0" + token.text.substr(0, mark);
-  const std::string power = mark == token.text.npos ? "0" : token.text.substr(mark + 1);
+  const std::size_t end = token.text.find('E');
+  std::string digits = "0" + token.text.substr(0, end);
+  const std::string power = end == token.text.npos ? "0" : token.text.substr(end + 1);
   int exponent = power.size() > 6 ? largest_exponent + 1 : std::stoi(power);
   if (std::abs(exponent) > largest_exponent) refuse_at(token.column, "an exponent above 10000");
   if (const std::size_t point = digits.find('.'); point != digits.npos) {

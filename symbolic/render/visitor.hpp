@@ -143,12 +143,12 @@ private:
   Piece sum(Expr e) const {
     Piece out{"", Sum};
     for (const Expr& a : e.args()) {
-      const Piece p = visit(a);
+      const Piece piece = visit(a);
       if (out.text.empty())
-        out.minus = p.minus;
+        out.minus = piece.minus;
       else
-        out.text += word(p.minus ? " - " : " + ");
-      out.text += p.minus ? p.text : within(Product, p);
+        out.text += word(piece.minus ? " - " : " + ");
+      out.text += piece.minus ? piece.text : within(Product, piece);
     }
     return out;
   }

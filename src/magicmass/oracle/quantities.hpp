@@ -88,7 +88,7 @@ struct OfCycle {
 };
 
 /// When collision j takes place, from 0 on, and how far the blocks are apart then: velocities and
-/// the places that bodies would have had at time 0 obey one map: its j-th power gives both there.
+/// the places that bodies would have had at time 0 obey one map: its j-th power gives both then.
 struct AtCollision {
   cl_I j;
 
