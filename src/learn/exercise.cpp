@@ -21,8 +21,7 @@ const std::regex& compiled(const std::string& pattern) {
 }
 
 /// Visits keys, each with the member for its value.
-template <class Visit, class Member, class... Others>
-void each(const Visit& visit, const char* key, Member& member, Others&... others) {
+void each(const auto& visit, const char* key, auto& member, auto&... others) {
   visit(key, member);
   if constexpr (sizeof...(others) > 0) each(visit, others...);
 }

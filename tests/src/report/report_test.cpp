@@ -15,12 +15,7 @@ namespace {
 
 using namespace report;
 
-Plan errors_alone() {
-  Plan plan;
-  plan.draws = 40;
-  plan.rounds.count = 0;
-  return plan;
-}
+Plan errors_alone() { return {.draws = 40, .rounds = {.count = 0}}; }
 const std::vector<Measurement>& all() {
   static const std::vector<Measurement> measurements = measure(errors_alone());
   return measurements;

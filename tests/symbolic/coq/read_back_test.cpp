@@ -140,21 +140,17 @@ Statement read(const std::string& text) {
   parts.pop_back();
   return {parts, conclusion, integers == expected};
 }
-
-std::vector<coq::Chapter> chapters() {
-  std::vector<coq::Chapter> out;
-  for (const derivation::Chapter& chapter : derivation::the_book().chapters()) {
-    out.push_back({chapter.name, {}});
-    for (const auto& s : chapter.statements) out.back().shown.emplace_back(s.id, s.theorem);
-  }
-  return out;
-}
 }  // namespace
 
 TEST_CASE("each shown theorem is read back from its file as the kernel's terms") {
-  const coq::Files files = coq::files(chapters());
+  std::vector<coq::Chapter> chapters;
+  for (const derivation::Chapter& chapter : derivation::the_book().chapters()) {
+    chapters.push_back({chapter.name, {}});
+    for (const auto& s : chapter.statements) chapters.back().shown.emplace_back(s.id, s.theorem);
+  }
+  const coq::Files files = coq::files(chapters);
   std::map<std::string, std::string> texts(files.texts.begin(), files.texts.end());
-  for (const coq::Chapter& chapter : chapters()) {
+  for (const coq::Chapter& chapter : chapters) {
     const std::string& text = texts.at(chapter.name + ".v");
     for (const auto& [id, theorem] : chapter.shown) {
       INFO(id);

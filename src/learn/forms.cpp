@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-2.0-or-later
+// What an answer lacks of the form that is asked for: factored, one fraction, ...
+#include "equality/normal_form.hpp"
+#include "learn/terms.hpp"
+
+namespace learn {
+namespace {
+
+using kernel::Op;
+
+bool is_angle_function(Expr e) {
+  static const std::set<std::string> names{"sin", "cos", "atan", "asin", "acos"};
+  return e.op() == Op::Fun && names.contains(e.name());
+}
+bool is_quotient(Expr e) { return kernel::is_call(e, "inv") && e.arg(0).op() != Op::Num; }
+
+/// The first part, outer ones first, of which `is_lack` is true; none of an angle, pi - x in
+/// cos(pi - x), but for what an inverse function in it is taken of.
+std::optional<Expr> found(Expr e, const std::function<bool(Expr)>& is_lack, bool is_angle = false) {
+  if (!is_angle && is_lack(e)) return e;
+  const bool has_angle = is_angle_function(e) ? e.name()[0] != 'a' : is_angle;
+  for (Expr arg : e.args())
+    if (const auto part = found(arg, is_lack, has_angle)) return part;
+  return {};
+}
+
+bool has_angle(Expr e, const equality::Domain&) {
+  const std::string name = notation::name_of(e);
+  return is_angle_function(e) || name == "psi" || name == "theta";
+}
+
+/// Terms of both signs somewhere: what nearly cancels there loses digits.
+bool is_difference(Expr e, const equality::Domain& domain) {
+  if (e.op() != Op::Add) return false;
+  for (const equality::Point& point : equality::points(domain, 3, {})) {
+    std::set<int> signs;
+    for (Expr one : e.args()) {
+      try {
+        signs.insert(equality::exact_sign(equality::at(point, one)).value_or(0));
+      } catch (const equality::NotDefined&) {
+      }
+    }
+    if (signs.contains(1) && signs.contains(-1)) return true;
+  }
+  return false;
+}
+
+/// The same as over and under one line, without quotients in either.
+std::pair<Expr, Expr> one_fraction(Expr e) {
+  if (is_quotient(e) || e.op() == Op::Pow) {
+    const auto [over, under] = one_fraction(e.arg(0));
+    if (e.op() != Op::Pow) return {under, over};
+    return {kernel::power(over, e.exponent()), kernel::power(under, e.exponent())};
+  }
+  if (e.op() != Op::Add && e.op() != Op::Mul) return {e, 1};
+  auto [all_over, all_under] = one_fraction(e.arg(0));
+  for (std::size_t i = 1; i < e.size(); ++i) {
+    const auto [over, under] = one_fraction(e.arg(i));
+    all_over = e.op() == Op::Mul ? all_over * over : all_over * under + over * all_under;
+    all_under = all_under * under;
+  }
+  return {all_over, all_under};
+}
+
+/// Whether a sum is a product: x*y + x, x^2 + 2*x + 1, 1/x + 2 + x, but not 1 - x^2 or 1/x + 1/y.
+bool hides_product(Expr e, const equality::Domain&) {
+  if (e.op() != Op::Add) return false;
+  const kernel::Polynomial terms = kernel::polynomial(one_fraction(e).first);
+  for (const auto& [factor, times] : equality::factorized(terms))
+    if (times > 1 || (factor.size() == 1 && !factor.begin()->first.empty())) return true;
+  cln::cl_I common = 0;
+  for (const auto& [monomial, q] : terms) common = cln::gcd(common, cln::numerator(q));
+  return common > 1;
+}
+
+/// Also where a factor could be cancelled.
+bool is_no_fraction(Expr e, const equality::Domain&) {
+  const auto has_division = [](Expr part) { return found(part, is_quotient).has_value(); };
+  if (e.op() == Op::Add || is_quotient(e)) return std::ranges::any_of(e.args(), has_division);
+  if (e.op() != Op::Mul) return false;
+  const auto [over, under] = one_fraction(e);
+  const auto factors = equality::factorized(kernel::polynomial(over));
+  for (const auto& [factor, times] : equality::factorized(kernel::polynomial(under)))
+    for (const auto& [other, ignored] : factors)
+      if (kernel::scaled(factor, other.begin()->second) ==
+              kernel::scaled(other, factor.begin()->second) &&
+          !factor.rbegin()->first.empty())
+        return true;
+  return false;
+}
+
+struct Form {
+  std::string name;
+  bool (*is_lack)(Expr part, const equality::Domain&);
+  std::string lack;
+};
+const std::vector<Form> all_forms{
+    {"no trigonometric functions", has_angle, " is still in it"},
+    {"no difference", is_difference, " is a difference"},
+    {"factored", hides_product, " can be written as a product"},
+    {"one fraction", is_no_fraction, " has more divisions than it needs"}};
+
+}  // namespace
+
+Texts forms() { return answers::texts_of(all_forms, &Form::name); }
+
+std::optional<Lack> lacking(const std::string& form, Expr typed, const equality::Domain& domain) {
+  if (form == "factored" && typed.op() == Op::Add) return Lack{typed, " is a sum"};
+  const auto one = std::ranges::find(all_forms, form, &Form::name);
+  if (one == all_forms.end()) return {};
+  const auto part = found(typed, [&](Expr e) { return one->is_lack(e, domain); });
+  return part ? std::optional(Lack{*part, one->lack}) : std::nullopt;
+}
+
+}  // namespace learn
