@@ -31,8 +31,8 @@ std::string display(const kernel::Exprs& lines) {
   return out + "</div>";
 }
 
-std::string proof_link(const std::string& id, const std::string& inside) {
-  return "<a href=\"derivation.html#" + id + "\">" + inside + "</a>";
+std::string link(const std::string& to, const std::string& inside) {
+  return "<a href=\"" + to + "\">" + inside + "</a>";
 }
 
 std::string theorem(const render::Step& s) {
@@ -42,7 +42,7 @@ std::string theorem(const render::Step& s) {
     conditions += (conditions.empty() ? " if " : " and ") + in_words(c);
   return "\n<div class=\"theorem\" data-theorem=\"" + s.id + "\">" +
          display(has_parts ? s.formula.args() : kernel::Exprs{s.formula}) + "<p class=\"source\">" +
-         proof_link(s.id, s.id) + conditions + "</p></div>";
+         link("derivation.html#" + s.id, s.id) + conditions + "</p></div>";
 }
 
 /// Paragraphs and blocks of indented lines of a text in which no sign is Markdown's.
@@ -138,7 +138,7 @@ private:
     const std::string name = what.substr(colon == what.npos ? 0 : colon + 1);
     if (kind == "theorem") {
       const render::Step& s = step(name);
-      return is_alone ? theorem(s) : proof_link(name, in_words(s.formula));
+      return is_alone ? theorem(s) : link("derivation.html#" + name, in_words(s.formula));
     }
     if (kind == "left" || kind == "right") {
       const kernel::Expr formula = step(name).formula;
@@ -147,8 +147,7 @@ private:
       return is_alone ? "\n" + display({side}) : in_words(side);
     }
     if (kind == "chapter")
-      return "<a href=\"" + name + ".html\">" +
-             html_text(found(around_.chapters, name, "chapter")) + "</a>";
+      return link(name + ".html", html_text(found(around_.chapters, name, "chapter")));
     if (kind == "figure")
       return "<span class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"figure\"><img "
              "src=\"figures/" +

@@ -43,14 +43,8 @@ public:
     }
     return out + "\\end{pmatrix}";
   }
-  std::string product(const Strings& factors) const override {
-    std::string out;
-    for (const std::string& f : factors) {
-      const bool digits = !f.empty() && f[0] >= '0' && f[0] <= '9';
-      out += out.empty() ? "" : digits ? " \\cdot " : " \\, ";
-      out += f;
-    }
-    return out;
+  std::string before_factor(const std::string& factor) const override {
+    return factor.find_first_of("0123456789") == 0 ? " \\cdot " : " \\, ";
   }
   std::string word(const std::string& word) const override {
     static const std::map<std::string, std::string> signs{

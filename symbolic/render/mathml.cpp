@@ -47,16 +47,11 @@ public:
     }
     return frames.parentheses.of(element("mtable", table));
   }
-  std::string product(const Strings& factors) const override {
-    std::string out;
-    for (const std::string& f : factors) {
-      const bool is_number = f.starts_with("<mn>");
-      const bool is_call = f.starts_with("<mi>") && f.find("</mi><mo>&#x2061;") == f.find("</mi>");
-      out += out.empty() ? "" : is_number ? "<mo>⋅</mo>" : "<mo>&#x2062;</mo>";
-      if (!out.empty() && is_call) out += "<mspace width=\"0.17em\"/>";
-      out += f;
-    }
-    return out;
+  std::string before_factor(const std::string& factor) const override {
+    if (factor.starts_with("<mn>")) return "<mo>⋅</mo>";
+    const bool is_call =
+        factor.starts_with("<mi>") && factor.find("</mi><mo>&#x2061;") == factor.find("</mi>");
+    return is_call ? "<mo>&#x2062;</mo><mspace width=\"0.17em\"/>" : "<mo>&#x2062;</mo>";
   }
   std::string word(const std::string& word) const override {
     static const std::map<std::string, std::string> signs{

@@ -68,7 +68,7 @@ protected:
   virtual std::string indexed(const std::string& base, const std::string& index) const = 0;
   virtual std::string power(const std::string& base, const std::string& exponent) const = 0;
   virtual std::string matrix(const std::vector<Strings>& rows) const = 0;
-  virtual std::string product(const Strings& factors) const = 0;
+  virtual std::string before_factor(const std::string& factor) const = 0;  ///< the sign
   /// What stands between terms and formulas: " + ", "-", " <= ", " and ", "for every integer ".
   virtual std::string word(const std::string& word) const = 0;
   static bool is_sign(const std::string& word) { return std::ranges::none_of(word, ::islower); }
@@ -150,6 +150,12 @@ private:
         out.text += word(piece.minus ? " - " : " + ");
       out.text += piece.minus ? piece.text : within(Product, piece);
     }
+    return out;
+  }
+  std::string product(const Strings& factors) const {
+    std::string out;
+    for (const std::string& factor : factors)
+      out += (out.empty() ? "" : before_factor(factor)) + factor;
     return out;
   }
   static bool is_inverse(Expr e) {
