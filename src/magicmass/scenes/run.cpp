@@ -69,11 +69,18 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
   if (scene.until) until = number_of<Scalar>(*scene.until);
   while (result.why.empty() && engine.next()) {
     if (until && !engine.is_due_by(*until)) {
+      engine.end(until);
       stop(at_until, *until);
     } else if (result.events == limit) {
+      engine.end({});
       stop(at_limit(limit), *engine.next());
     } else {
       const Collision<Scalar> event = engine.step();
+      if (result.events + engine.waiting() >= limit) {  // a mirror tells the others
+        engine.take_back();
+        stop(at_limit(result.events), event.time);
+        break;
+      }
       if (lengths.is_too_slow(event)) stop(too_slow, event.time);
       ++result.events;
       ++result.counts[event.gap];
@@ -115,7 +122,8 @@ Result exactly(const Scene& scene, Result result) {
   }
   result.terminal.assign(bodies, bodies == 2 ? Quadratic(0) : momentum / mass);  // 2: a wall
   set_energies(scene, line, result);
-  result.known_until = motion<Quadratic>(scene, told(scene)).known_until;
+  if (scene.wants("events") || scene.wants("trajectory"))
+    result.known_until = motion<Quadratic>(scene, told(scene)).known_until;
   result.plan.is_exact = true;
   return result;
 }
@@ -150,6 +158,16 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
   const auto end = result.known_until;
   for (; next != times.end() && !(end && std::get<Scalar>(*end) < *next); ++next) all_at(*next);
   if (has_corners) all_at(end ? std::get<Scalar>(*end) : last);
+}
+
+/// Times of another field are looked at where their doubles are.
+Scene in_one_field(Scene scene) {
+  const std::vector<Value> times = std::exchange(scene.times, {});
+  for (const Value& time : times) {
+    scene.times.push_back(time);
+    if (!has_exact_numbers(scene)) scene.times.back() = value_of(time.to_double());
+  }
+  return scene;
 }
 
 /// Without all collisions before them.
@@ -196,7 +214,9 @@ std::string status_name(Status status) {
 }
 
 Result run(const Scene& scene) {
-  const bool has_exact = has_exact_numbers(scene);
+  Scene timeless = scene;
+  if (!scene.is_exact) timeless.times.clear();
+  const bool has_exact = has_exact_numbers(timeless);
   const std::int64_t limit = scene.limit();
   if (scene.is_exact && !has_exact) {
     throw InvalidInput(scene.source +
@@ -217,6 +237,7 @@ Result run(const Scene& scene) {
           scene.is_exact ? Plan{"events", true, "exact numbers are asked for"} : solved->plan;
       return result;
     } catch (const Undecided& error) {
+      if (solved && !scene.is_exact) return *by_theorem(scene, -1);
       if (!solved || solved->plan.is_exact) throw;
       throw Undecided(std::to_string(solved->events) + " collisions by theorem, but " +
                       error.what() + ", or without --exact");
@@ -252,7 +273,7 @@ void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t
 
 void trajectory(const Scene& scene, const Result& result, const Points& sink) {
   if (result.plan.is_exact)
-    follow<Quadratic>(scene, result, sink);
+    follow<Quadratic>(in_one_field(scene), result, sink);
   else if (result.plan.model != "events" &&
            (result.status != Status::collapse || !scene.times.empty()))
     follow_by_theorem(scene, result, sink);

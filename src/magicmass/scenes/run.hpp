@@ -81,11 +81,11 @@ X energy(const std::vector<X>& masses, const std::vector<X>& velocities) {
 inline constexpr const char* at_until = "the scene ends at the time `until`";
 std::string at_limit(std::int64_t limit);
 
-/// The run of a trio or a cradle, each number the nearest double; of what is few and exact only its
+/// The run of a trio or a cradle, each number the nearest double; of few exact collisions only the
 /// plan, since there numbers may be just between doubles. Nothing for other scenes, and where a
 /// collision may be as late as `until`. Throws Undecided where a trio that nothing cuts off has
 /// more collisions than can be counted.
-Found<Result> by_theorem(const Scene& scene);
+Found<Result> by_theorem(const Scene& scene, std::int64_t few = 64);
 /// Every so many of its collisions; of a collapse at least the first three, and more while doubles
 /// can tell their times apart.
 void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink);

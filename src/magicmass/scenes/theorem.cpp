@@ -61,8 +61,11 @@ std::optional<std::int64_t> within(const Trios& trios, const Scene& scene) {
   const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
   if (scene.max_events || (!N && !collapses)) N = std::min(N.value_or(limit), limit);
   if (!scene.until) return N;
-  const auto is_by = [&] { return trios.collapse().time <= ball_of(*scene.until); };
-  if (collapses && with_bits(17, is_by)) return N;
+  const auto ends = [&] {
+    return trios.alone()->is_at_once() ? is_by(trios, 0, *scene.until)
+                                       : trios.collapse().time <= ball_of(*scene.until);
+  };
+  if (collapses && with_bits(17, ends)) return N;
   return count_until(trios, *scene.until, N.value_or(limit));
 }
 /// All but the plan after so many collisions, or after infinitely many.
@@ -100,8 +103,7 @@ std::string at_limit(std::int64_t limit) {
          "; more with --max-events";
 }
 
-Found<Result> by_theorem(const Scene& scene) {
-  constexpr std::int64_t few = 64;
+Found<Result> by_theorem(const Scene& scene, std::int64_t few) {
   const auto trios = Trios::of(scene);
   if (!trios) return trios.why;
   const bool is_open = !trios->alone() || scene.until || scene.max_events;
@@ -121,7 +123,8 @@ Found<Result> by_theorem(const Scene& scene) {
           "infinitely many collisions; a list has the first three, and more while doubles can tell "
           "their times apart";
     } else if (is_open && events != trios->count()) {
-      const bool is_limit = events == scene.limit();
+      const auto is_over = [&] { return scene.until && !is_by(*trios, *events, *scene.until); };
+      const bool is_limit = events == scene.limit() && !with_bits(17, is_over);
       const auto next = [&] { return std::vector{trios->collision(*events).time}; };
       result.status = Status::limited;
       result.why = is_limit ? at_limit(*events) : at_until;

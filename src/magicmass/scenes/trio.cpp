@@ -121,10 +121,11 @@ Trio Trio::equal_blocks(const Value& alpha, const Value& e) {
 
 std::optional<Trio::Exact> Trio::exact_bodies() const try {
   const std::vector<Value>& m = from_.masses;
-  if (!from_.e.exact() || !std::ranges::all_of(m, &Value::exact)) return {};
-  const Quadratic per_B = bodies() == 3 ? Quadratic(1) / *m[2].exact() : Quadratic(0);
-  const Quadratic &A = *m[0].exact(), &C = *m[1].exact(), &e = *from_.e.exact();
-  return {{A, C, per_B, e, generated::shape_exact(A, per_B, C, e).q_e}};
+  const auto A = quotient(m[0], m[1]);
+  const auto per_B = bodies() == 3 ? quotient(m[1], m[2]) : Quadratic(0);
+  if (!from_.e.exact() || !A || !per_B) return {};
+  const Quadratic& e = *from_.e.exact();
+  return {{*A, *per_B, e, generated::shape_exact<Quadratic>(*A, *per_B, 1, e).q_e}};
 } catch (const std::domain_error&) {
   return {};
 }
@@ -156,8 +157,7 @@ std::optional<std::int64_t> Trio::count_at_threshold() const {
 }
 std::optional<simulator::InTurn<Quadratic>> Trio::first_collisions(std::int64_t most) const try {
   if (!exact_) return {};
-  simulator::InTurn<Quadratic> now(exact_->A, exact_->C, exact_->per_B, exact_->e, 1,
-                                   from_.W_per_V);
+  simulator::InTurn<Quadratic> now(exact_->A, 1, exact_->per_B, exact_->e, 1, from_.W_per_V);
   while (now.collisions <= most && Quadratic(0) < now.approach()) now.step();
   return now;
 } catch (const std::domain_error&) {  // masses and velocities of two fields

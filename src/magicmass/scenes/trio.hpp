@@ -59,6 +59,8 @@ public:
   using Collision = simulator::Collision<Ball>;
   /// Collision j, from 0 on.
   Collision collision(const Shape& s, std::int64_t j) const;
+  /// Whether all collisions take place at once, with the first.
+  bool is_at_once() const { return is_at_once_; }
   /// When it takes place, where that is known exactly.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
   std::size_t bodies() const { return from_.masses.size(); }
@@ -79,10 +81,10 @@ private:
   static constexpr std::int64_t largest_tie = 12;
   static constexpr std::size_t longest_tie = 1U << 15U;  ///< in bits
   Start from_;
-  bool is_at_once_ = false;  ///< all collisions, with the first
-  /// Of A and C, 1 / that of B, and more; nothing for numbers of two fields, or of none.
+  bool is_at_once_ = false;
+  /// In units of the mass of C; nothing for numbers of two fields, or of none.
   struct Exact {
-    Quadratic A, C, per_B, e, q_e;
+    Quadratic A, per_B, e, q_e;
   };
   std::optional<Exact> exact_;
   std::optional<std::int64_t> at_threshold_;

@@ -24,16 +24,18 @@ struct Collision {
 };
 
 /// When a gap closes. What closes at the same time is told apart by what a mirror shows, too: the
-/// faster first, then the pair of the larger mass.
+/// faster first, then the pair of the larger mass, of which a wall has more than any.
 template <Field Scalar>
 struct Due {
   Scalar time;
   Scalar closing;  ///< speed, > 0
-  Scalar mass;     ///< of the bodies beside the gap
+  bool has_wall;
+  Scalar mass;  ///< of the bodies beside the gap
 
   bool operator==(const Due&) const = default;
   friend bool operator<(const Due& x, const Due& y) {
-    return std::tie(x.time, y.closing, y.mass) < std::tie(y.time, x.closing, x.mass);
+    return std::tie(x.time, y.closing, y.has_wall, y.mass) <
+           std::tie(y.time, x.closing, x.has_wall, x.mass);
   }
 };
 
@@ -104,7 +106,7 @@ public:
 
   /// The time of the next collision, or nothing where none comes.
   std::optional<Scalar> next() const {
-    if (told_ < collisions_.size()) return now_;
+    if (waiting() > 0) return now_;
     const auto& due = due_[due_.first()];
     return due ? std::optional<Scalar>(due->time) : std::nullopt;
   }
@@ -114,8 +116,8 @@ public:
     const Scalar due = *next();
     if constexpr (rounds) {
       const auto side = sides(due_.first());
-      const bool is_open = told_ == collisions_.size();
-      if (is_open && margin_.reaches_time(std::abs(due - time), std::min(due, time), side, side))
+      if (waiting() == 0 &&
+          margin_.reaches_time(std::abs(due - time), std::min(due, time), side, side))
         note_near();
     }
     return !(time < due);
@@ -123,8 +125,26 @@ public:
   /// Goes on to the next collision, which must exist. Collisions at one time that go together are
   /// told one after the other; the bodies are as after all of them.
   Collision<Scalar> step() {
-    if (told_ == collisions_.size()) meet_next();
-    return collisions_[told_++];
+    if (waiting() == 0) meet_next();
+    return collisions_[std::size_t(told_++)];
+  }
+  /// How many of those that go together have not been told.
+  std::int64_t waiting() const { return std::ssize(collisions_) - told_; }
+  /// Ends the motion before those that went together last.
+  void take_back() {
+    for (auto met = before_.rbegin(); met != before_.rend(); ++met) all_[met->first] = met->second;
+  }
+  /// Ends the motion at a time, or after the last collision: counts a near tie where something that
+  /// is left may in truth be due by then.
+  void end([[maybe_unused]] const std::optional<Scalar>& at) {
+    if constexpr (rounds) {
+      const Scalar time = at.value_or(now_ + margin_.errors().time);
+      for (std::size_t gap = 0; gap + 1 < all_.size(); ++gap) {
+        if (!due_[gap]) continue;
+        const Scalar apart = due_[gap]->time - time;
+        if (!(0 < apart) || margin_.reaches_time(apart, time, sides(gap), sides(gap))) note_near();
+      }
+    }
   }
 
   std::span<const MovingBody<Scalar>> bodies() const {
@@ -159,7 +179,8 @@ private:
   Ties ties_;
   std::vector<std::size_t> together_;          // gaps that close now
   std::vector<Collision<Scalar>> collisions_;  // of now, of which told_ were told
-  std::size_t told_ = 0;
+  std::int64_t told_ = 0;
+  std::vector<std::pair<std::size_t, MovingBody<Scalar>>> before_;  // of these, bodies as they were
 
   /// Are there two to meet?
   bool closes(std::size_t gap) const {
@@ -181,13 +202,14 @@ private:
     const Scalar time = Scalar(0) < width ? Scalar(now_ + width / speed) : now_;
     if constexpr (rounds)
       if (!(time <= std::numeric_limits<Scalar>::max())) return;
-    due_.set(gap, Due<Scalar>{time, speed, all_[gap].mass + all_[gap + 1].mass});
+    due_.set(gap, Due<Scalar>{time, speed, has_wall(gap), all_[gap].mass + all_[gap + 1].mass});
   }
 
   /// All gaps that are due first and alike, row by row of neighbours.
   void meet_next() {
     together_.clear();
     collisions_.clear();
+    before_.clear();
     told_ = 0;
     const Due<Scalar> due = *due_[due_.first()];
     now_ = due.time;
@@ -247,6 +269,7 @@ private:
     return m1 < m2 ? right : m2 < m1 ? left : Scalar((left + right) / Scalar(2));
   }
   void put(std::size_t i, const Scalar& where) {
+    before_.emplace_back(i, all_[i]);
     all_[i] = {{all_[i].mass, where, all_[i].velocity}, now_, true};
   }
   void tell(std::size_t gap) {
