@@ -145,14 +145,16 @@ Table sphere_data() {
 /// Distance of A and B at each collision, and the direction of its ray in the unfolded wedge.
 Table wedge_data() {
   Table table{{"collision", "t", "s", "angle"}, {}};
-  const Places all = three_bodies("\"magic:3\"");
-  for (std::size_t j = 1; j + 1 < all.size(); ++j) {
-    const std::vector<double>& at = all[j];
-    const std::string name = (j % 2 == 1 ? "P_" : "Q_") + std::to_string((j + 1) / 2);
-    const cln::cl_RA cycles = cln::cl_RA(static_cast<int>(j)) / 2;
-    const Row angle = rounded(
-        [&] { return Balls{right_side_at("rotation.psi", ball_of(magic(3))) * Ball(cycles)}; });
-    table.rows.push_back({text_cell(name), real_cell(at[0]), real_cell(at[3] - at[1]), angle[0]});
+  const Trio trio = Trio::equal_blocks(value_of(magic(3)), value_of(1));
+  for (std::int64_t j = 0; j < trio.count(); ++j) {
+    const std::string name = (j % 2 == 0 ? "P_" : "Q_") + std::to_string(j / 2 + 1);
+    const auto balls = [&] {
+      const Ball time = trio.collision(trio.shape(), j).time;
+      const Balls places = trio.places(trio.shape(), time, j + 1);
+      const Ball psi = right_side_at("rotation.psi", ball_of(magic(3)));
+      return Balls{time, places[2] - places[0], psi * Ball(cln::cl_RA(j + 1) / 2)};
+    };
+    table.rows.push_back(concatenated({{text_cell(name)}, rounded(balls)}));
   }
   return table;
 }

@@ -94,7 +94,10 @@ Balls terminal(const Trio& trio, std::int64_t N) {
 Cell rho(const Alpha& alpha, const cl_RA& e) {
   const Trio trio = Trio::equal_blocks(value_of(alpha), value_of(e));
   const auto N = trio.count();
-  return N ? rounded([&] { return Balls{terminal(trio, *N)[3]}; })[0] : missing_cell();
+  const auto at_end = [&]() -> Ball {
+    return N ? terminal(trio, *N)[3] : power(trio.collapse(trio.shape()).v_left, 2);
+  };
+  return rounded([&] { return Balls{at_end()}; })[0];
 }
 
 std::optional<int> digits_wanted(const Request& request) {

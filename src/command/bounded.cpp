@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A child holds one end of a pipe: numbers on it tell of rows, its end is the child's.
-#include <algorithm>
+// A child holds one end of a pipe: a byte on it says that output begins, its end is the child's.
+// How many rows are done stands in memory that both share.
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -10,6 +11,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -37,7 +39,6 @@ struct Progress {
   std::string limit;
   bool may_show;
   std::int64_t shown = 0;  // seconds
-  std::uint64_t rows = 0;  // that are done
 
   void show(Clock::duration so_far) {
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(so_far).count();
@@ -52,13 +53,16 @@ struct Progress {
   }
 };
 
-[[noreturn]] void run_child(const Limits& limits, int to_parent,
+using Count = std::atomic<std::uint64_t>;
+
+[[noreturn]] void run_child(const Limits& limits, int to_parent, Count& done,
                             const std::function<ExitCode(const Tell&)>& action) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   host::limit(RLIMIT_CORE, 0);
   if (__asan_init == nullptr) host::limit(RLIMIT_AS, static_cast<rlim_t>(limits.mebibytes) << 20U);
-  const ExitCode code = action([to_parent](std::uint64_t rows) {
-    [[maybe_unused]] const ssize_t ignored = ::write(to_parent, &rows, sizeof rows);
+  const ExitCode code = action([&](std::uint64_t rows) {
+    if (rows > 0) return done.store(rows);
+    [[maybe_unused]] const ssize_t ignored = ::write(to_parent, "", 1);
   });
   ::_exit(static_cast<int>(code));
 }
@@ -70,13 +74,10 @@ bool wait_for(int from_child, const Limits& limits, Progress& progress) {
   while (Clock::now() - start < limit) {
     pollfd watched{from_child, POLLIN, 0};
     if (::poll(&watched, 1, 100) > 0) {
-      std::array<std::uint64_t, 64> told{};
-      const ssize_t bytes = ::read(from_child, told.data(), sizeof told);
+      char output_begins;
+      const ssize_t bytes = ::read(from_child, &output_begins, 1);
       if (bytes == 0) return true;
-      for (std::size_t i = 0; i < std::size_t(std::max<ssize_t>(bytes, 0)) / sizeof told[0]; ++i) {
-        if (told[i] == 0) progress.hide();
-        progress.rows = std::max(progress.rows, told[i]);
-      }
+      if (bytes == 1) progress.hide();
     }
     progress.show(Clock::now() - start);
   }
@@ -104,11 +105,15 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
     throw answers::Undecided(name + ": no pipe: " + std::strerror(errno));
+  void* const shared =
+      ::mmap(nullptr, sizeof(Count), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (shared == MAP_FAILED) throw answers::Undecided(name + ": no memory: " + std::strerror(errno));
+  Count& rows = *new (shared) Count(0);
   const pid_t child = ::fork();
   if (child < 0) throw answers::Undecided(name + ": no process: " + std::strerror(errno));
   if (child == 0) {
     ::close(pipe[0]);
-    run_child(limits, pipe[1], action);
+    run_child(limits, pipe[1], rows, action);
   }
   ::close(pipe[1]);
   const std::string limit =
@@ -126,7 +131,7 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
   progress.hide();
   if (is_done) return verdict(name, status, limits);
   return say(name + ": not done after " + std::to_string(limits.seconds) + " s" +
-                 (progress.rows > 0 ? ", only " + std::to_string(progress.rows) + " rows" : "") +
+                 (rows > 0 ? ", only " + std::to_string(rows) + " rows" : "") +
                  "; a smaller question may do, or a longer --time-limit",
              ExitCode::undecided);
 }

@@ -57,7 +57,10 @@ answers::Answer verify(const answers::Request& request) {
     }
     for (auto at = text.find(step); at != text.npos; at = text.find(step, at + 1)) ++checked;
   }
-  if (problem.empty()) problem = coq::foreign_assumption(last);
+  if (problem.empty()) {
+    problem = coq::foreign_assumption(last);
+    if (!problem.empty()) checked = 0;  // all rests on it
+  }
   answer.check_failed = !problem.empty();
   if (!problem.empty())
     answer.note = "verify: not checked by Coq: " + answers::shown_text(problem, 400);
