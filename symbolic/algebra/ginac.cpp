@@ -18,10 +18,7 @@ public:
     const GiNaC::symbol s("x" + std::to_string(atoms.size()));
     atoms.emplace_back(s, atom);
     symbols.emplace(atom, s);
-    if (is_call(atom, "sqrt")) {
-      const ex radicand = to_ginac(atom.arg(0));
-      roots.emplace_back(s, radicand);
-    }
+    if (is_call(atom, "sqrt")) roots.emplace_back(s, to_ginac(atom.arg(0)));
     return s;
   }
   ex to_ginac(Expr e) {
@@ -70,8 +67,8 @@ private:
     ex out = e.expand();
     for (auto it = roots.rbegin(); it != roots.rend(); ++it) {
       const auto& [root, square] = *it;
-      ex sum = 0;
-      for (int k = 0; k <= out.degree(root); ++k)
+      ex sum = out.coeff(root, 0) + out.coeff(root, 1) * root;
+      for (int k = 2; k <= out.degree(root); ++k)
         sum += out.coeff(root, k) * GiNaC::pow(square, k / 2) * GiNaC::pow(root, k % 2);
       out = sum.expand();
     }

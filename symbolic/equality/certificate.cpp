@@ -6,6 +6,7 @@
 
 namespace equality {
 using algebra::operator+;
+using algebra::Theorem;
 using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
@@ -15,6 +16,7 @@ constexpr int most_work = 10;
 constexpr int most_work_of_15 = 3;  // whose sines are of more roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
+bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
 bool is_algebraic_term(Expr e) {
   if (e.op() == Op::Num || e.op() == Op::Var) return true;
   if (is_sine(e)) return multiple_of_pi(e.arg(0)).has_value();
@@ -33,13 +35,23 @@ Expr formula(const Requirement& r) {
          : r.kind == Need::NotNegative ? kernel::le(0, r.term)
                                        : kernel::lt(0, r.term);
 }
-// The root of a fraction, 2 sqrt(2) sqrt(3) of 24.
-Expr root_of(const cln::cl_RA& q) {
-  Forms forms({});
-  const Sum root = forms.of(kernel::sqrt(Expr(q)));
-  Expr out = root.begin()->second;
-  for (const auto& [prime, half] : root.begin()->first) out = out * kernel::sqrt(prime);
-  return out;
+// 0 < c or c < 0 from the signs of its parts or of its inverse, or not c = 0, as it has one.
+Theorem not_zero(Expr c, const Theorems& facts) {
+  for (Expr side : {c, kernel::canonical(-c)})
+    if (const auto positive = algebra::sign_of(side)) return *positive;
+  Expr value = kernel::canonical(c);
+  for (const Theorem& is : facts)
+    if (is.conclusion().op() == Op::Eq)
+      value = kernel::canonical(
+          kernel::replace(value, kernel::canonical(algebra::left(is)), algebra::right(is)));
+  const Expr inverse = algebra::simplified(1 / value), zero = kernel::eq(c, 0);
+  algebra::Certificate proof{.equations = {{-1, algebra::equation(c * inverse, 1, facts)}},
+                             .products = {{1}}};
+  const auto positive = algebra::sign_of(inverse);
+  if (positive) proof.multipliers = {*positive};
+  if (positive) return algebra::certified(kernel::lt(0, c), proof);
+  proof.equations.emplace_back(inverse, kernel::assume(zero));
+  return algebra::refute(zero, kernel::arithmetic(kernel::lt(0, 0), proof));
 }
 // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) and sqrt((a - d)/2), added or subtracted, where a
 // is rational and the root of a rational is b; d^2 = a^2 - b^2.
@@ -48,6 +60,9 @@ std::optional<Expr> sum_of_roots(Expr x, Theorems& facts) {
   const Sum sum = forms.of(x);
   const cln::cl_RA a = sum.contains({}) ? sum.at({}) : cln::cl_RA(0);
   const Sum rest = sum - number(a);
+  const auto root_of = [&](const cln::cl_RA& q) {  // 2 sqrt(2) sqrt(3) of 24
+    return forms.expression(forms.of(kernel::sqrt(Expr(q))));
+  };
   if (rest.empty()) return root_of(a);
   const Sum squared = forms.of(kernel::power(forms.expression(rest), 2));
   const auto square = notation::rational_value(forms.expression(squared));
@@ -55,35 +70,30 @@ std::optional<Expr> sum_of_roots(Expr x, Theorems& facts) {
   if (!square || a * a < *square || !cln::sqrtp(a * a - *square, &d)) return {};
   const Expr more = root_of((a + d) / 2), less = root_of((a - d) / 2);
   if (rest.begin()->second > 0) return more + less;
-  const algebra::Theorem product = algebra::equation((more - less) * (more + less), d, facts);
-  facts.push_back(algebra::certified(kernel::lt(0, more - less),
-                                     {.equations = {{-1, product}},
-                                      .products = {{d}},
-                                      .multipliers = {algebra::positive(more + less, facts)}}));
+  facts.push_back(not_zero(more - less, facts));
   return more - less;
-}
-// The root of a rational times sqrt(other) or 1/sqrt(other).
-std::optional<Expr> by_other(Expr x, Expr other) {
-  Forms forms({});
-  const Sum sum = forms.of(x), of_other = forms.of(other);
-  const cln::cl_RA ratio = sum.begin()->second / of_other.begin()->second;
-  if (sum == scaled(of_other, ratio)) return root_of(ratio) * kernel::sqrt(other);
-  const auto product = notation::rational_value(forms.expression(forms.of(x * other)));
-  return product ? std::optional(root_of(*product) / kernel::sqrt(other)) : std::nullopt;
 }
 // Facts of the roots of constants, by those that are no sums of simpler ones.
 void add_roots(Expr e, Theorems& facts, Exprs& others) {
   for (Expr part : e.args()) add_roots(part, facts, others);
-  if (!is_call(e, "sqrt") || !kernel::free_variables(e).empty()) return;
+  if (!is_call(e, "sqrt")) return;
   const Expr x = e.arg(0);
-  if (Forms({}).of(x).empty()) return;
-  const auto is = [&](std::optional<Expr> root) {
-    return root && (facts.push_back(algebra::root_is(x, *root, facts)), true);
-  };
-  if (is_proved([&] { return is(sum_of_roots(x, facts)); })) return;
-  for (Expr other : others)
-    if (is_proved([&] { return is(by_other(x, other)); })) return;
-  others.push_back(x);
+  if (is_constant(x) && Forms({}).of(x).empty()) return;
+  const bool is_sum = is_constant(x) && is_proved([&] {
+                        const auto root = sum_of_roots(x, facts);
+                        return root && (facts.push_back(algebra::root_is(x, *root, facts)), true);
+                      });
+  if (!is_sum) others.push_back(x);
+}
+// One root as both sides are equal, if it is that: two could be written by one another.
+void solve_for_a_root(Expr equation, Theorems& facts, const Exprs& radicands) {
+  for (Expr x : radicands)
+    if (is_proved([&] {
+          const Expr root = kernel::sqrt(x), value = algebra::solve({equation}, {root})[0];
+          const bool is_other = kernel::replace(value, root, 0) == value;
+          return is_other && (facts.push_back(algebra::root_is(x, value, facts)), true);
+        }))
+      return;
 }
 void collect_sines(Expr e, Exprs& sines) {
   if (is_sine(e)) sines.push_back(e);
@@ -134,9 +144,17 @@ std::string certified(Expr left, Expr right, const std::vector<Requirement>& nee
     Exprs roots;
     if (!add_sines(left - right, facts, roots)) return false;
     add_roots(left - right, facts, roots);
-    for (const auto& [kind, e] : needs) facts.push_back(kernel::assume(formula({kind, named(e)})));
+    for (const auto& [kind, e] : needs) {
+      const Expr term = named(e);
+      const bool is_seen = is_constant(term) &&
+                           is_proved([&] { return facts.push_back(not_zero(term, facts)), true; });
+      if (!is_seen || kind != Need::NotZero) facts.push_back(kernel::assume(formula({kind, term})));
+    }
+    const Expr goal = kernel::eq(named(left), named(right));
+    if (!is_proved([&] { return algebra::equation(goal, facts), true; }))
+      solve_for_a_root(goal, facts, roots);
     std::string hypotheses;
-    const algebra::Theorem proved = algebra::equation(named(left), named(right), facts);
+    const Theorem proved = algebra::equation(goal, facts);
     for (Expr h : kernel::instantiate(proved, bases).hypotheses()) {
       const auto r = std::ranges::find(needs, h, formula);
       if (r == needs.end()) return false;  // a hypothesis that nobody is told of
