@@ -11,6 +11,7 @@ using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
 constexpr int most_multiplied_out = 24;
+constexpr int few_roots = 2, most_of_roots = 6;
 constexpr int most_parts = 60;  // d of pi/d
 constexpr int most_work = 10;
 constexpr int most_work_of_15 = 3;  // whose sines are of more roots
@@ -22,13 +23,6 @@ bool is_algebraic_term(Expr e) {
   if (is_sine(e)) return multiple_of_pi(e.arg(0)).has_value();
   if (e.op() == Op::Fun && e.name() != "inv" && e.name() != "sqrt") return false;
   return e.size() > 0 && std::ranges::all_of(e.args(), is_algebraic_term);
-}
-// Sums to high powers are names, for they are not multiplied out.
-void name_bases(Expr e, kernel::Substitution& names) {
-  const bool is_high = e.op() == Op::Pow && e.exponent() > most_multiplied_out;
-  if (is_high && e.arg(0).op() == Op::Add && names.size() < std::size_t(most_multiplied_out))
-    names.emplace(kernel::real("base_" + std::to_string(names.size())), e.arg(0));
-  for (Expr part : e.args()) name_bases(part, names);
 }
 Expr formula(const Requirement& r) {
   return r.kind == Need::NotZero       ? kernel::neq(r.term, 0)
@@ -106,6 +100,16 @@ cln::cl_I work(Expr e, const cln::cl_I& d) {
   cln::cl_I sum = 0;
   for (Expr part : e.args()) sum = sum + work(part, d);
   return e.op() == Op::Pow ? sum * e.exponent() : sum;
+}
+// Sums to high powers, of a few roots sooner, are names, for they are not multiplied out.
+void name_bases(Expr e, kernel::Substitution& names) {
+  const auto most = [&] {
+    return work(e.arg(0), 1) > few_roots ? most_of_roots : most_multiplied_out;
+  };
+  if (e.op() == Op::Pow && e.exponent() > most() && e.arg(0).op() == Op::Add &&
+      names.size() < std::size_t(most_multiplied_out))
+    names.emplace(kernel::real("base_" + std::to_string(names.size())), e.arg(0));
+  for (Expr part : e.args()) name_bases(part, names);
 }
 // Sines of parts of pi by those of one part; false where they are too much.
 bool add_sines(Expr e, Theorems& facts, Exprs& roots) {
