@@ -81,7 +81,8 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   for (std::size_t left = width(text); left > room;) {
     const std::string_view line = rest.substr(0, room + 1);
     const std::size_t comma = line.rfind(", ");
-    const std::size_t blank = comma == line.npos ? line.rfind(' ') : comma + 1;
+    const bool is_late = comma != line.npos && comma > line.size() * 2 / 3;
+    const std::size_t blank = is_late ? comma + 1 : line.rfind(' ');
     if (blank == line.npos) break;
     left -= width(rest.substr(0, blank + 1));
     lines.append(rest.substr(0, blank)).append("\n").append(indent, ' ');

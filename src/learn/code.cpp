@@ -34,7 +34,8 @@ std::string text_of(double value) {
 double input(const Terms& terms, const std::string& text) {
   const bool above = text.starts_with("above "), next = above || text.starts_with("below ");
   const std::string exact = next ? text.substr(6) : text;
-  const double nearest = cln::double_approx(value_of(terms.in_full(terms.content(exact)), exact));
+  const cl_RA value = value_of(terms.in_full(terms.content(exact)), exact);
+  const double nearest = balls::nearest_double(value, value).value();  // subnormal, too
   return next ? std::nextafter(nearest, above ? infinity : -infinity) : nearest;
 }
 

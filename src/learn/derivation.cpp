@@ -180,19 +180,29 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
     for (const auto& [left, right] : equations) term = kernel::replace(term, left, right);
     return term;
   };
-  const auto is_step = [&](Expr from, Expr to) {  // whatever psi is, or by the laws
+  const auto is_step = [&](Expr from, Expr to) {    // whatever psi is, or by the laws
+    const auto is_moved = [&](const auto& aside) {  // what is on both sides of it
+      return terms.are_equal(from - to, aside.first - aside.second);
+    };
     return terms.are_equal(from, to) || terms.are_equal(with(laws, from), to) ||
-           terms.are_equal(with(laws, with(asides, from)), to);
+           terms.are_equal(with(laws, with(asides, from)), to) ||
+           std::ranges::any_of(asides, is_moved);
   };
   const auto is_finished = [&] {
     return !lacking(e.form, before, terms.domain(notation::symbols_of(before)));
   };
+  const auto goes_on = [&](std::size_t i) { return i < lines.size() && lines[i].starts_with("="); };
+  std::pair reached{before, shown_before};
+  bool is_aside = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    const std::pair reached{before, shown_before};
-    bool is_aside = false;
+    if (is_aside && !goes_on(i)) std::tie(before, shown_before) = reached;
+    is_aside = is_aside && goes_on(i);
+    if (!is_aside) reached = {before, shown_before};
     const Texts parts = split(lines[i], '=');
+    if (parts.empty()) kernel::refuse(line_name(i) + " is empty");
     for (const std::string& part : parts) {
-      const bool is_left = parts.size() > 1 && &part == &parts[0];
+      const bool is_one = parts.size() == 1 && !goes_on(i + 1);
+      const bool is_left = &part == &parts[0] && !goes_on(i) && !is_one;
       const Expr now = typed(terms, part, i, notes).term, given = terms.in_full(now);
       if (is_left && now == start) continue;  // goes on from what was reached
       const std::string what =
@@ -206,21 +216,21 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
       if (compared.mark == Mark::wrong) {
         const std::string differs =
             "In " + line_name(i) + ", " + shown + " is not equal to " + what + ".";
-        const Judgement said =
-            is_finished() ? Judgement{Mark::wrong, differs} : terms.mistake(given, differs);
+        const Judgement said = is_aside || is_finished() ? Judgement{Mark::wrong, differs}
+                                                         : terms.mistake(given, differs);
         if (!is_left || !said.misconception.empty()) return said;
         is_aside = true;  // an equation of its own, such as a law
-      } else if (is_aside) {
-        if (is_step(before, now)) asides.emplace_back(before, now);
-      } else if (!is_step(before, now)) {
+      } else if (!is_step(before, now) && !(is_aside && is_step(now, before))) {
         return {Mark::incomplete, "In " + line_name(i) + " a step is missing between " +
                                       shown_before + " and " + shown + ", though they are equal."};
+      } else if (is_aside) {
+        asides.emplace_back(before, now);
       }
       before = now;
       shown_before = shown;
     }
-    if (is_aside) std::tie(before, shown_before) = reached;
   }
+  if (is_aside) std::tie(before, shown_before) = reached;
   if (before == start || !is_finished())
     return {Mark::incomplete, "Every line is right, but what " + e.start +
                                   " is equal to is not yet in the form asked for: " + e.form + "."};
@@ -254,6 +264,7 @@ Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& no
   Texts lines = split(plain, '\n');
   if (lines.size() == 1) lines = split(plain, ';');  // on a command line
   if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
+  if (lines.empty()) kernel::refuse("there is no line");
   if (lines[0].starts_with("- ") && without_marks(lines) != lines)
     notes.push_back("the - before each line is read as a bullet");
   lines = without_marks(lines);

@@ -14,13 +14,14 @@ bool is_angle_function(Expr e) {
 }
 bool is_quotient(Expr e) { return kernel::is_call(e, "inv") && e.arg(0).op() != Op::Num; }
 
-/// The first part, outer ones first, of which `is_lack` is true; none of an angle, pi - x in
-/// cos(pi - x), but for what an inverse function in it is taken of.
-std::optional<Expr> found(Expr e, const std::function<bool(Expr)>& is_lack, bool is_angle = false) {
-  if (!is_angle && is_lack(e)) return e;
+/// The first part, outer ones first, of which `is_lack` is true; unless it is said, none of an
+/// angle, x/2 in cos(x/2), but for what an inverse function in it is taken of.
+std::optional<Expr> found(Expr e, const std::function<bool(Expr)>& is_lack, bool of_angles = false,
+                          bool is_angle = false) {
+  if ((of_angles || !is_angle) && is_lack(e)) return e;
   const bool has_angle = is_angle_function(e) ? e.name()[0] != 'a' : is_angle;
   for (Expr arg : e.args())
-    if (const auto part = found(arg, is_lack, has_angle)) return part;
+    if (const auto part = found(arg, is_lack, of_angles, has_angle)) return part;
   return {};
 }
 
@@ -94,11 +95,11 @@ struct Form {
   bool (*is_lack)(Expr part, const equality::Domain&);
   std::string lack;
 };
-const std::vector<Form> all_forms{
-    {"no trigonometric functions", has_angle, " is still in it"},
-    {"no difference", is_difference, " is a difference"},
-    {"factored", hides_product, " can be written as a product"},
-    {"one fraction", is_no_fraction, " has more divisions than it needs"}};
+const std::vector<Form> all_forms{{"no trigonometric functions", has_angle, " is still in it"},
+                                  {"no difference", is_difference, " is a difference"},
+                                  {"factored", hides_product, " can be written as a product"},
+                                  {"one fraction", is_no_fraction,
+                                   " has more divisions than it needs, or a factor that cancels"}};
 
 }  // namespace
 
@@ -108,7 +109,8 @@ std::optional<Lack> lacking(const std::string& form, Expr typed, const equality:
   if (form == "factored" && typed.op() == Op::Add) return Lack{typed, " is a sum"};
   const auto one = std::ranges::find(all_forms, form, &Form::name);
   if (one == all_forms.end()) return {};
-  const auto part = found(typed, [&](Expr e) { return one->is_lack(e, domain); });
+  const auto is_lack = [&](Expr e) { return one->is_lack(e, domain); };
+  const auto part = found(typed, is_lack, one->is_lack == is_difference);
   return part ? std::optional(Lack{*part, one->lack}) : std::nullopt;
 }
 

@@ -199,6 +199,9 @@ Texts faults(const Exercise& e, const Run& run) {
     if (e.kind == "symbolic" && e.answer_from.empty() && !e.name.empty()) {
       Exercise in_alpha = e;  // where psi and all other names have their meaning
       in_alpha.symbols.push_back("alpha");
+      for (const std::string& used :
+           notation::symbols_of(Terms(in_alpha).in_book(Terms(e).answer())))
+        in_alpha.symbols.push_back(used);
       const Terms terms(in_alpha);
       const Expr name = terms.content(e.name), stated = terms.in_book(name);
       const Expr answer = terms.in_book(terms.answer());
@@ -218,6 +221,9 @@ Texts faults(const Exercise& e, const Run& run) {
       const Judgement said = judge(e, e.starter, run);
       need(said.mark == Mark::wrong, "the starter", said);
     }
+    const bool is_number = e.kind == "predict" && e.choices.empty() && !e.run.empty();
+    if (is_number && with_numbers(e, e.answer) == e.answer)
+      wrong.push_back("run: nothing of it is used by answer");
     if (e.hints.empty()) wrong.push_back("hints are missing");
   } catch (const std::exception& error) {
     wrong.push_back(error.what());
