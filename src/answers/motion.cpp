@@ -25,7 +25,7 @@ Ball evaluated(const std::string& id, const std::map<kernel::Expr, Ball>& values
   return equality::enclosure(written_out(right_side(id)), values);
 }
 
-const char* const beyond = "; a mass ratio that is a double is decided";
+const char* const beyond = "; possible: fewer digits, or a double";
 
 }  // namespace
 

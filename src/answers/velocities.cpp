@@ -103,7 +103,8 @@ bool is_of_arrays(const Rows& rows) {
 
 Answer eval(const Request& request) {
   const Asked in(request);
-  const cln::cl_I N_A = count_collisions(in.alpha).N_A;
+  const LargeCounts counts = count_collisions(in.alpha);
+  const cln::cl_I& N_A = counts.N_A;
   const bool fits = cln::integer_length(N_A) < 64;
   const std::int64_t n =
       fits ? *request.whole("n", 0, cln::cl_I_to_long(N_A)) : request.size("n", 0, INT64_MAX);
@@ -119,7 +120,11 @@ Answer eval(const Request& request) {
   } else {
     four = in.cells(n, "cycles", exactly, [&] { return velocities(in.alpha, n); });
   }
-  return answer(of_eval, {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
+  Answer all = answer(of_eval, {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
+  if (n > 0 && n > counts.N_B)
+    all.note =
+        "eval: Q_" + std::to_string(n) + ", after which are b and c_prime, does not take place";
+  return all;
 }
 
 Answer count(const Request& request) {
@@ -181,7 +186,8 @@ Row end_of(const Asked& in, const Alpha& restitution) {
   }
   if (in.wants_fractions)
     throw Undecided(
-        "terminal: collisions never end, at a time that may be no fraction; add --digits D");
+        "terminal: infinitely many collisions end at a time that may be no fraction; add --digits "
+        "D");
   const auto end = [&] {
     const Trio::Collision c = trio.collapse(trio.shape());
     const Ball& v = c.v_left;

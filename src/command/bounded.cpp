@@ -2,7 +2,6 @@
 // A child holds one end of a pipe: a byte on it says that output begins, its end is the child's.
 // How many rows are done stands in memory that both share.
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -11,7 +10,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -53,9 +51,7 @@ struct Progress {
   }
 };
 
-using Count = std::atomic<std::uint64_t>;
-
-[[noreturn]] void run_child(const Limits& limits, int to_parent, Count& done,
+[[noreturn]] void run_child(const Limits& limits, int to_parent, std::atomic<std::uint64_t>& done,
                             const std::function<ExitCode(const Tell&)>& action) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   host::limit(RLIMIT_CORE, 0);
@@ -105,10 +101,7 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
   std::array<int, 2> pipe{};
   if (::pipe2(pipe.data(), O_CLOEXEC) != 0)
     throw answers::Undecided(name + ": no pipe: " + std::strerror(errno));
-  void* const shared =
-      ::mmap(nullptr, sizeof(Count), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (shared == MAP_FAILED) throw answers::Undecided(name + ": no memory: " + std::strerror(errno));
-  Count& rows = *new (shared) Count(0);
+  std::atomic<std::uint64_t>& rows = host::shared_number();
   const pid_t child = ::fork();
   if (child < 0) throw answers::Undecided(name + ": no process: " + std::strerror(errno));
   if (child == 0) {

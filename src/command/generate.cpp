@@ -81,8 +81,10 @@ answers::Answer write_folder(const std::string& option, const std::string& folde
 
 answers::Answer generate_files(const answers::Request& request) {
   if (request.has("quantity") || request.has("scene")) return {{}, header(request)};
-  if (request.has("form"))
-    throw InvalidInput("generate: --form is of one header; allowed: with --quantity or --scene");
+  for (const std::string option : {"form", "output"})
+    if (request.has(option) && !request.has("check"))
+      throw InvalidInput("generate: --" + option +
+                         " is of one header; allowed: with --quantity or --scene");
   const std::string folder = request.has("out") ? request.text("out") : "generated";
   const generate::Texts texts = generate::generated();
   if (!request.has("check")) return write_folder("generate: --out", folder, [&] { return texts; });

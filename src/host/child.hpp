@@ -2,6 +2,7 @@
 // Another program, its input and output in memory, its files in a folder for the time being.
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <optional>
 #include <string>
@@ -39,6 +40,10 @@ End end_of(std::vector<std::string> words, const std::string& input = "",
 
 /// The same without bounds; nothing where it is not installed.
 std::optional<End> said_by(std::vector<std::string> words, const std::string& input = "");
+
+/// 0, for this process and those that it forks from now on to see and change. Throws
+/// std::runtime_error where the system refuses.
+std::atomic<std::uint64_t>& shared_number();
 
 /// Of this process and those that it starts.
 void limit(__rlimit_resource resource, rlim_t value);

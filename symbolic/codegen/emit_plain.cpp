@@ -59,11 +59,11 @@ Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
       live.insert(kernel::substitute(e, q.units));
       for (Expr a : e.args()) self(self, a);
     };
-    const auto others = std::stable_partition(c.outputs.begin(), c.outputs.end(), is_wanted);
-    c.definitions.insert(c.definitions.end(), others, c.outputs.end());
-    c.outputs.erase(others, c.outputs.end());
+    // In their order: what one output needs may be another, or a value that has a guard.
+    c.definitions.insert(c.definitions.end(), c.outputs.begin(), c.outputs.end());
+    std::erase_if(c.outputs, [&](const Theorem& t) { return !is_wanted(t); });
     if (c.outputs.empty()) c.guards.clear();
-    for (const Theorem& t : c.outputs) visit(visit, t.conclusion().arg(1));
+    for (const Theorem& t : c.outputs) visit(visit, t.conclusion());
     kernel::Theorems needed;
     for (auto t = c.definitions.rbegin(); t != c.definitions.rend(); ++t) {
       const Expr head = t->conclusion().arg(0);

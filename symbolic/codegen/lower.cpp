@@ -56,7 +56,7 @@ public:
     const Expr left = checked_head(domain, t);
     const bool is_whole = left.sort() == kernel::Sort::Int;
     if (is_plain()) {
-      define(t);
+      if (named.count(left.name()) == 0) define(t);
     } else {
       nodes[left] = build(t.conclusion().arg(1));
       const Node& n = program[nodes[left]];

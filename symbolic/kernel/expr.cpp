@@ -84,6 +84,7 @@ const Form& form(Op op) {
       {1, 1, Matrix, Real},         // Entry
       {1, 1, Matrix, Real},         // Det
   };
+  if (std::size_t(op) >= std::size(forms)) refuse("no such operation");
   return forms[std::size_t(op)];
 }
 Sort kind(Expr e) { return e.sort() == Sort::Int ? Sort::Real : e.sort(); }

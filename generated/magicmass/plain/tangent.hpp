@@ -55,11 +55,11 @@ struct TerminalTangent {
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
 ///   Domain: alpha from 0x1p-100 to 0x1p+100.
 /// Theorems: evaluators.def_above, evaluators.def_w, evaluators.def_t, evaluators.def_half_h,
-///   evaluators_end.def_h, evaluators_end.N_A, evaluators_end.def_rest,
+///   evaluators_end.def_h, evaluators_end.N_A, evaluators_end.N_B, evaluators_end.def_rest,
 ///   evaluators_end.def_rest_sine, evaluators_end.def_rest_cosine, evaluators_end.def_t_cosine,
 ///   evaluators_end.def_w_cosine, evaluators_end.def_t_plus, evaluators_end.def_t_minus,
-///   evaluators_end.def_w_plus, evaluators_end.def_b_form, evaluators_end.N_B,
-///   evaluators_end.terminal, evaluators_end.def_rho.
+///   evaluators_end.def_w_plus, evaluators_end.def_b_form, evaluators_end.terminal,
+///   evaluators_end.def_rho.
 /// Operations: arctangents: 1, ceilings: 2, cosines: 1, products: 12, quotients: 4, roots: 1,
 ///   sines: 1, sums: 7.
 /// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
@@ -75,6 +75,7 @@ TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   const Number h = Number(2) * half_h;  // h = 2*half_h
   const Number t4 = Number(4) * atan(Number(1)) / h / Number(2);  // for N_A, N_B
   const Number N_A = ceil(t4 - Number(1) / Number(2));  // N_A = ceil(pi/(2*h) - 1/2)
+  const Number N_B = ceil(t4 - Number(1));  // N_B = ceil(pi/(2*h) - 1)
   // rest = sqrt((pi/2 - h*N_A)^2)
   const Number rest = abs(Number(4) * atan(Number(1)) / Number(2) - h * N_A);
   const Number rest_sine = sin(rest);  // rest_sine = sin(rest)
@@ -85,7 +86,6 @@ TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   const Number t_minus = t_cosine - rest_sine;  // t_minus = t_cosine - rest_sine
   const Number w_plus = w_cosine + rest_sine;  // w_plus = w_cosine + rest_sine
   const Number b_form = Number(2) * w_plus * t_cosine;  // b_form = 2*w_plus*t_cosine
-  const Number N_B = ceil(t4 - Number(1));  // N_B = ceil(pi/(2*h) - 1)
   const Number a_t = -t_minus * t_plus;  // a_t = 1*(-t_minus*t_plus)
   const Number c_t = Number(2) * t_minus * w_cosine;  // c_t = 1*(2*t_minus*w_cosine)
   const Number rho = b_form * b_form;  // rho = (b_t*inv(1))^2

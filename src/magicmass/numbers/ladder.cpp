@@ -47,9 +47,9 @@ Counts counts_or_most(double alpha) {
   return certain(kernels().velocities, tier + 1, alpha, n);
 }
 
-void check(double alpha) {
+void check(double alpha, const char* name = "alpha") {
   if (!is_mass_ratio(alpha))
-    throw InvalidInput("alpha must be positive and finite, got " + text_of(alpha));
+    throw InvalidInput(std::string(name) + " must be positive and finite, got " + text_of(alpha));
 }
 [[noreturn]] void refuse_cycle(double alpha, std::int64_t n) {
   check(alpha);
@@ -128,7 +128,7 @@ std::optional<Terminal> fast::terminal(double alpha, double e) {
   return e == 1.0 ? terminal(alpha) : terminal(Masses{alpha}, e);
 }
 std::optional<Terminal> fast::terminal(const Masses& masses, double e) {
-  numbers::check(masses.ball);
+  numbers::check(masses.ball, "ball");
   if (!(masses.per_B == 0.0 || numbers::is_mass_ratio(masses.per_B)))
     throw InvalidInput("per_B must be finite and not negative, got " +
                        numbers::text_of(masses.per_B));

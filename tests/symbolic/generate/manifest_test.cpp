@@ -87,6 +87,18 @@ TEST_CASE("a form that there is none of is refused, as is one that there are two
   const codegen::PlainForm& one = generate::inventory().all.at(1);
   CHECK_THROWS_WITH(generate::texts({one, one}), ContainsSubstring("two files are called"));
 }
+TEST_CASE("each output has a header, beside any other of its quantity, too") {
+  for (const auto& [quantity, form] : generate::inventory().all) {
+    if (form == "evaluator" || form == "matrices" || form == "exact") continue;
+    const auto outputs = codegen::outputs_of(quantity.cases[0]);
+    for (const codegen::Output& one : outputs)
+      for (const codegen::Output& other : outputs) {
+        INFO(form << ": " << one.name << ", " << other.name);
+        const std::string header = generate::selected(form, {one.name, other.name});
+        CHECK(std::regex_search(header, std::regex("  Number [^;=]*\\b" + one.name + "[,;]")));
+      }
+  }
+}
 TEST_CASE("an entry, a range or a list of theorems of another shape is refused") {
   const auto refuses = [](const std::string& entries, const std::string& why) {
     CHECK_THROWS_WITH(generate::read("form: closed\nquantity: test\n" + entries),

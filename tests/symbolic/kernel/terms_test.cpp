@@ -196,6 +196,8 @@ TEST_CASE("one tree, one Expr, whatever its bound variables are called") {
   CHECK_FALSE(power(x, 2) == power(x, 3));
   CHECK_FALSE(sin(x) == cos(x));
   CHECK(make({.op = Op::Add, .args = {x, y}, .name = "odd", .value = 3, .index = 7}) == x + y);
+  refused("what is no operation", "no such operation",
+          [&] { make({.op = Op(int(Op::Det) + 1), .args = {x}}); });
   CHECK(sum({x}) == x);
 }
 
