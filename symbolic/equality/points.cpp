@@ -126,7 +126,7 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   for (std::size_t tried = 0; !next.empty() && out.size() < most && tried < most_tried * count;
        ++tried) {
     auto [sum, places] = next.extract(next.begin()).value();
-    add([&](std::size_t j) { return places[j]; });
+    add([&places = places](std::size_t j) { return places[j]; });  // clang 14 takes no binding
     for (std::size_t j = 0; j < symbols.size(); ++j) {
       if (++places[j] < values[j].size()) next.emplace(sum + 1, places);
       --places[j];

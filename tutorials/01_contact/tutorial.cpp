@@ -28,8 +28,6 @@ void print_collision(const cl_RA& m_1, const cl_RA& m_2) {
 // energy, or another. The certificate is the difference of squares taken apart: energy once, minus
 // momentum times u_2 + v_2, is a product with two factors that are not 0.
 std::string relative_velocity(int power_kept) {
-  const Expr M_1 = real("M_1"), M_2 = real("M_2"), u_1 = real("u_1"), u_2 = real("u_2"),
-             v_1 = real("v_1"), v_2 = real("v_2");
   const Expr kept = eq(M_1 * power(u_1, power_kept) + M_2 * power(u_2, power_kept),
                        M_1 * power(v_1, power_kept) + M_2 * power(v_2, power_kept));
   const Expr momentum = eq(M_1 * u_1 + M_2 * u_2, M_1 * v_1 + M_2 * v_2);

@@ -162,7 +162,8 @@ TEST_CASE("forms with restitution, whose values 10,000 scenes hold, answer in th
       CHECK_THROWS_WITH(collapse(q_e, -9), ContainsSubstring("end_speed must be"));  // B runs away
       continue;
     }
-    const auto [h_e, unit] = angle(q_e);
+    const auto of_angle = angle(q_e);
+    const double h_e = of_angle.h_e, unit = of_angle.step_sine;
     const auto time = [&](std::int64_t j) {
       const auto [now, last] = sines_restitution(3.0, 0.0, 0.2, e, q_e, h_e, unit, j);
       return time_restitution(3.0, 0.0, 0.2, e, unit, j, now, last, 1.0, -0.25, 0.5, 2.0);
