@@ -82,7 +82,7 @@ answers::Answer write_folder(const std::string& option, const std::string& folde
 answers::Answer generate_files(const answers::Request& request) {
   if (request.has("quantity") || request.has("scene")) return {{}, header(request)};
   for (const std::string option : {"form", "output"})
-    if (request.has(option) && !request.has("check"))
+    if (request.has(option) && (option == "form" || !request.has("check")))
       throw InvalidInput("generate: --" + option +
                          " is of one header; allowed: with --quantity or --scene");
   const std::string folder = request.has("out") ? request.text("out") : "generated";
