@@ -57,15 +57,12 @@ std::int64_t count_until(const Trios& trios, const Value& time, std::int64_t mos
 /// How many collisions are within the scene's limits; nothing: infinitely many, a collapse.
 std::optional<std::int64_t> within(const Trios& trios, const Scene& scene) {
   auto N = trios.count();
-  const bool collapses = !N && trios.alone();
+  const bool collapses = !N && !trios.is_endless();
   const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
   if (scene.max_events || (!N && !collapses)) N = std::min(N.value_or(limit), limit);
   if (!scene.until) return N;
-  const auto ends = [&] {
-    return trios.alone()->is_at_once() ? is_by(trios, 0, *scene.until)
-                                       : trios.collapse().time <= ball_of(*scene.until);
-  };
-  if (collapses && with_bits(17, ends)) return N;
+  const auto is_over = [&] { return trios.alone()->has_collapsed(*scene.until); };
+  if (collapses && with_bits(17, is_over)) return N;
   return count_until(trios, *scene.until, N.value_or(limit));
 }
 /// All but the plan after so many collisions, or after infinitely many.
@@ -106,7 +103,7 @@ std::string at_limit(std::int64_t limit) {
 Found<Result> by_theorem(const Scene& scene, std::int64_t few) {
   const auto trios = Trios::of(scene);
   if (!trios) return trios.why;
-  const bool is_open = !trios->alone() || scene.until || scene.max_events;
+  const bool is_open = trios->is_endless() || scene.until || scene.max_events;
   try {
     const auto events = within(*trios, scene);
     const bool is_few = events && *events <= few && has_exact_numbers(scene);

@@ -84,15 +84,17 @@ Found<Trio> Trio::of(const Start& start) try {
   if (t.bodies() == 3 && masses[0].is(1) && masses[2].is(1) && e.is(1))
     t.at_threshold_ = t.count_at_threshold();
   if (r < 0)
-    with_bits(17, [&] {  // whether they end, which has to be certain
+    t.end_sign_ = with_bits(17, [&] {
       const Shape s = t.shape();
-      return s.q_e > 0 || Ball(end_of(s, t.start()).end_speed) > 0;
+      if (s.q_e > 0) return 1;
+      if (const auto exactly = t.end_sign(1, r)) return *exactly;
+      return Ball(end_of(s, t.start()).end_speed) > 0 ? 1 : -1;
     });
   return t;
 } catch (const std::domain_error&) {
   return unknown;
 } catch (const Undecided&) {
-  return "B runs away at the one speed, or too near it, at which collisions go on for ever";
+  return unknown;
 }
 Found<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
   const auto &wall = is_mirrored ? scene.left_wall : scene.right_wall,
@@ -166,15 +168,35 @@ std::optional<simulator::InTurn<Quadratic>> Trio::first_collisions(std::int64_t 
 /// By any_start.speed each second approach speed, over e each time, is a sum of each second
 /// U_j(kappa): each follows from the two before by one factor, which the first three tell
 /// (chebyshev.two_steps), and evenly where kappa is 1 (chebyshev.steps).
-std::optional<std::int64_t> Trio::exact_count() const {
-  auto now = first_collisions(-1);
-  if (!now) return {};
+std::optional<std::array<Quadratic, 5>> Trio::first_speeds(const Quadratic& W_per_V) const try {
+  if (!exact_) return {};
+  simulator::InTurn<Quadratic> now(exact_->A, 1, exact_->per_B, exact_->e, 1, W_per_V);
   std::array<Quadratic, 5> speeds;
   Quadratic loss = 1;
-  for (std::size_t j = 0; j < 5; now->step(), ++j) {
-    speeds[j] = now->approach() / loss;
+  for (std::size_t j = 0; j < 5; now.step(), ++j) {
+    speeds[j] = now.approach() / loss;
     if (j % 2 == 1) loss = loss * exact_->e;
   }
+  return speeds;
+} catch (const std::domain_error&) {  // masses and velocities of two fields
+  return {};
+}
+/// Where kappa is above 1 each second speed is a q^i + b/q^i, q > 1, and a is end_speed but for a
+/// positive factor: s_0 s_4 - s_2^2 has the sign of a b. Where it is 1 they follow evenly.
+std::optional<int> Trio::end_sign(const Quadratic& V, const Quadratic& W) const try {
+  const auto sign = [](const Quadratic& x) { return 0 < x ? 1 : x == 0 ? 0 : -1; };
+  if (V == 0) return sign(W);
+  const auto s = first_speeds(W / V);
+  if (!s) return {};
+  const auto& [s_0, s_1, s_2, s_3, s_4] = *s;
+  return sign(V) * (s_0 < s_2 ? 1 : sign(s_0 * s_4 - s_2 * s_2));
+} catch (const std::domain_error&) {
+  return {};
+}
+std::optional<std::int64_t> Trio::exact_count() const {
+  auto at_first = first_speeds(from_.W_per_V);
+  if (!at_first) return {};
+  auto& speeds = *at_first;
   if (exact_->q_e == 0)
     return count_of(std::int64_t(1) << 62U, [&](std::int64_t j) {
       const std::size_t i = j % 2 == 0 ? 0 : 1;
@@ -205,7 +227,7 @@ std::optional<std::int64_t> Trio::count() const {
       return value_of_form(generated::count_restitution<Unguarded>, s, s.q_e, s.h_e, s.step_sine,
                            at_0.V, at_0.W)
           .N_any.low();
-    if (!(from_.W_per_V < 0) || Ball(end_of(s, at_0).end_speed) > 0) return 0;
+    if (end_sign_ >= 0) return 0;
     const auto takes_place = [&](std::int64_t j) {
       return Ball(time_of(s, swing_of(s, j), at_0).reach) > 0;
     };
@@ -276,6 +298,16 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
   std::vector<Ball> all;
   for (std::size_t i = 0; i < bodies(); ++i) all.push_back(place_of(time, x[i]));
   return all;
+}
+/// Where (V t - d_A) + (W t - d_B) r_e y_e, as in end_speed, is 0 or more (bodies.t_any).
+bool Trio::has_collapsed(const Value& time) const {
+  const auto met = quotient(from_.d_A, from_.V), later = quotient(from_.d_B, from_.V);
+  if (met && later && time.exact()) try {
+      const Quadratic& t = *time.exact();
+      if (const auto sign = end_sign(t - *met, from_.W_per_V * t - *later)) return *sign >= 0;
+    } catch (const std::domain_error&) {  // of two fields
+    }
+  return collapse(shape()).time <= ball_of(time);
 }
 Trio::Collision Trio::collapse(const Shape& s) const {
   const auto end = end_of(s, start());

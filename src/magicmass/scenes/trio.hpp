@@ -59,8 +59,8 @@ public:
   using Collision = simulator::Collision<Ball>;
   /// Collision j, from 0 on.
   Collision collision(const Shape& s, std::int64_t j) const;
-  /// Whether all collisions take place at once, with the first.
-  bool is_at_once() const { return is_at_once_; }
+  /// Whether collisions go on for ever, and time with them.
+  bool is_endless() const { return end_sign_ == 0; }
   /// When it takes place, where that is known exactly.
   std::optional<Quadratic> exact_time(std::int64_t j) const;
   std::size_t bodies() const { return from_.masses.size(); }
@@ -73,6 +73,8 @@ public:
   /// Where and when infinitely many collisions come to an end; all go on from it at one velocity,
   /// and it has no number or gap.
   Collision collapse(const Shape& s) const;
+  /// Whether they have come to it by this time.
+  bool has_collapsed(const Value& time) const;
   std::vector<Ball> masses(const Shape& s) const;
 
 private:
@@ -81,7 +83,8 @@ private:
   static constexpr std::int64_t largest_tie = 12;
   static constexpr std::size_t longest_tie = 1U << 15U;  ///< in bits
   Start from_;
-  bool is_at_once_ = false;
+  bool is_at_once_ = false;  ///< all collisions take place with the first
+  int end_sign_ = 1;         ///< where q_e is 0 or less
   /// In units of the mass of C; nothing for numbers of two fields, or of none.
   struct Exact {
     Quadratic A, per_B, e, q_e;
@@ -91,6 +94,10 @@ private:
 
   /// Exactly, in units of V, at most one more than `most` of them. Nothing likewise.
   std::optional<simulator::InTurn<Quadratic>> first_collisions(std::int64_t most) const;
+  /// The first approach speeds, in units of V, over e for each two. Nothing likewise.
+  std::optional<std::array<Quadratic, 5>> first_speeds(const Quadratic& W_per_V) const;
+  /// The sign of bodies.end_speed for any V and W, where q_e is 0 or less. Nothing likewise.
+  std::optional<int> end_sign(const Quadratic& V, const Quadratic& W) const;
   /// Nothing, too, where numbers become too long.
   std::optional<std::int64_t> exact_count() const;
   using Velocities = std::array<Ball, 3>;
@@ -116,8 +123,9 @@ public:
 
   /// The only one.
   const Trio* alone() const { return is_cradle_ ? nullptr : &pairs_[0].trio; }
-  /// How many collisions; nothing where they never end: of a cradle between two walls, or in a
-  /// collapse.
+  /// Whether they may go on for ever, and time with them: between two walls, or after B.
+  bool is_endless() const { return !alone() || alone()->is_endless(); }
+  /// How many collisions; nothing where they never end, in a collapse, too.
   std::optional<std::int64_t> count() const;
 
   /// With the bits that are set now, as all that follows.
