@@ -16,7 +16,7 @@ using magicmass::scenes::text_of;
 std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
   std::map<std::string, std::string> texts;
   if (place.empty()) {
-    for (const auto& [name, text] : host::all_embedded())
+    for (const auto& [name, text] : host::embedded())
       if (name.find("/exercises/") != name.npos && name.ends_with(".toml")) texts[name] = text;
   } else if (std::filesystem::is_directory(place)) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
@@ -128,7 +128,7 @@ Answer make(const Request& request) {
   if (std::filesystem::exists(path))
     throw InvalidInput("learn new: " + answers::shown_text(path) + " is there already");
   std::ofstream file(path);
-  if (!(file << host::embedded(request.has("kind") ? "new_code.toml" : "new_exercise.toml")
+  if (!(file << host::embedded().at(request.has("kind") ? "new_code.toml" : "new_exercise.toml")
              << std::flush))
     throw InvalidInput("learn new: cannot write " + answers::shown_text(path));
   return {{}, path + ": edit it, then run: magicmass learn test " + path + "\n"};

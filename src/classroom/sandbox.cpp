@@ -178,7 +178,7 @@ bool read_programs_only(const char*, const rlimit*) {
 learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const learn::Rows& inputs) {
   const host::TemporaryFolder folder("learn");
   std::ofstream(folder.path + "/answer.cpp") << code;
-  for (const auto& [name, text] : host::all_embedded())
+  for (const auto& [name, text] : host::embedded())
     if (name.ends_with(".hpp"))
       std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
   // In one file, lest a struct, or a function's type, differs; the driver declares functions again.

@@ -46,13 +46,13 @@ answers::Answer verify(const answers::Request& request) {
   std::string problem, last;
   std::size_t checked = 0;
   for (const auto& [name, text] : files.texts) {
-    const auto said = host::said_by(
+    const host::End said = host::end_of(
         {"coqc", "-q", "-w", "none", "-R", folder.path, "Magicmass", folder.path + "/" + name});
-    if (!said)
+    if (said.code == host::not_there)
       throw InvalidInput("verify: --with coq needs coqc (Debian: coq); allowed: no --with");
-    last = said->output;
-    if (said->code != 0) {
-      problem = name + ": " + said->errors;
+    last = said.output;
+    if (said.code != 0) {
+      problem = name + ": " + said.errors;
       break;
     }
     for (auto at = text.find(step); at != text.npos; at = text.find(step, at + 1)) ++checked;

@@ -13,7 +13,7 @@ namespace {
 using namespace answers;
 
 std::string script_of(const std::string& figure) {
-  return host::embedded("figures/" + figure + ".gp");
+  return host::embedded().at("figures/" + figure + ".gp");
 }
 
 /// What a script says of its figure in lines "# KEY ...": title, description, size.
@@ -28,15 +28,15 @@ std::string told(const std::string& script, const std::string& key) {
 /// What gnuplot prints for a script and its data; both and the picture are passed in memory.
 std::string drawn(const std::string& script, const std::string& data, const std::string& format) {
   const std::string input = "format = '" + format + "'\nsize = '" + told(script, "size") + "'\n" +
-                            host::embedded("terminal.gp") + "$data << END\n" + data + "END\n" +
+                            host::embedded().at("terminal.gp") + "$data << END\n" + data + "END\n" +
                             script;
-  const auto said = host::said_by({"gnuplot", "-d", "-"}, input);
-  if (!said)
+  const host::End said = host::end_of({"gnuplot", "-d", "-"}, input);
+  if (said.code == host::not_there)
     throw InvalidInput(
         "figure: drawing needs gnuplot (Debian: gnuplot-nox); allowed without it: --format csv");
-  if (said->code != 0)
-    throw std::runtime_error("figure: gnuplot could not draw: " + shown_text(said->errors, 200));
-  return said->output;
+  if (said.code != 0)
+    throw std::runtime_error("figure: gnuplot could not draw: " + shown_text(said.errors, 200));
+  return said.output;
 }
 /// No date: two runs give the same bytes. Of the same length, since a PDF counts its bytes. Where
 /// it is compressed (cairo of Debian 13) it stays.
@@ -121,7 +121,7 @@ Answer figure(const Request& request) {
 }
 
 Answer reproduce(const Request& request) {
-  const Table all = comparisons(host::embedded("paper_numbers.csv"));
+  const Table all = comparisons(host::embedded().at("paper_numbers.csv"));
   if (request.has("out"))
     write_folder("reproduce: --out", request.text("out"), [&] { return files_of(all); });
   return page_of(all, request.format);

@@ -146,11 +146,6 @@ End end_of(std::vector<std::string> words, const std::string& input, const Bound
           streams.results.read()};
 }
 
-std::optional<End> said_by(std::vector<std::string> words, const std::string& input) {
-  End end = end_of(std::move(words), input);
-  return end.code == not_there ? std::optional<End>() : end;
-}
-
 TemporaryFolder::TemporaryFolder(const std::string& name) {
   std::error_code error;
   const std::filesystem::path place = std::filesystem::temp_directory_path(error);

@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,9 +36,6 @@ struct End {
 /// How the program words[0] ends; with it ends whatever it started. They end where this one does.
 End end_of(std::vector<std::string> words, const std::string& input = "",
            const Bounds& bounds = {});
-
-/// The same without bounds; nothing where it is not installed.
-std::optional<End> said_by(std::vector<std::string> words, const std::string& input = "");
 
 /// 0, for this process and those that it forks from now on to see and change. Throws
 /// std::runtime_error where the system refuses.

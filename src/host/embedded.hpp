@@ -7,8 +7,7 @@
 
 namespace host {
 
-/// The text of a file by its path below this folder. Throws std::out_of_range where there is none.
-std::string embedded(const std::string& file);
-const std::map<std::string, std::string>& all_embedded();
+/// By their paths below src/command, src/classroom or the project.
+const std::map<std::string, std::string>& embedded();
 
 }  // namespace host

@@ -43,8 +43,8 @@ Answer wait(const Request&) {
 /// Another program that takes too long, with a folder.
 Answer other(const Request&) {
   const host::TemporaryFolder folder("other");
-  const auto said = host::said_by({"bash", "-c", "touch \"$0\"/file; exec sleep 60", folder.path});
-  return document(said ? said->output : "no bash\n");
+  const std::string script = "touch \"$0\"/file; exec sleep 60";
+  return document(host::end_of({"bash", "-c", script, folder.path}).output);
 }
 
 Answer fill(const Request&) {
@@ -69,10 +69,14 @@ Answer crash(const Request&) {
 
 Answer bug(const Request&) { throw std::logic_error("index past the end"); }
 
-command::Command plain(const std::string& name, Answer (*run)(const Request&)) {
+command::Command plain(const std::string& name, Answer (*run)(const Request&),
+                       const std::vector<command::Option>& options = {},
+                       const std::string& words = "") {
   return {.name = name,
           .summary = "Does what " + name + " does",
           .example = "rehearse " + name,
+          .options = options,
+          .words = words,
           .formats = {"text"},
           .run = run};
 }
@@ -96,20 +100,13 @@ int main(int argc, char** argv) {
                   {"twice", "", "a flag"}},
       .run = echo,
       .run_block = [](const answers::Rows&) { return answers::Block{echo_columns}; }};
-  command::Command many_row = plain("many", many);
-  many_row.summary = "Many lines";
-  many_row.options = {{"lines", "N", "how many"}};
-  command::Command words_row = plain("words", words);
-  words_row.summary = "Says its words";
-  words_row.words = "WORD...";
-  command::Command compare_row = plain("compare", compare);
-  compare_row.words = "FILE";
   const command::Program program = {
       "rehearse",
       "A program for tests",
       "1.2.3",
-      {echo_row, many_row, words_row, compare_row, plain("check", false_check), plain("wait", wait),
-       plain("other", other), plain("fill", fill), plain("deep", deep), plain("crash", crash),
-       plain("bug", bug)}};
+      {echo_row, plain("many", many, {{"lines", "N", "how many"}}),
+       plain("words", words, {}, "WORD..."), plain("compare", compare, {}, "FILE"),
+       plain("check", false_check), plain("wait", wait), plain("other", other), plain("fill", fill),
+       plain("deep", deep), plain("crash", crash), plain("bug", bug)}};
   return command::run_program(program, {argv + 1, argv + argc});
 }
