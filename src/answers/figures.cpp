@@ -53,11 +53,6 @@ Places places(const std::string& text, double start) {
   return all;
 }
 
-/// A and C are a length apart, so that the first collision is at time 0 of the paper.
-Places three_bodies(const std::string& alpha) {
-  return places("alpha = " + alpha + "\npositions = [-1, 0, 1]\nuntil = 6\n", -1);
-}
-
 /// A row for each of them.
 Table table_of(const Names& columns, const auto& all, const auto& row_of) {
   Table table{columns, {}};
@@ -87,9 +82,10 @@ Table counts_data() {
 /// Places of A, C, B from collision to collision, one panel after the other.
 Table trajectories_data() {
   Table table{{"panel", "t", "x_A", "x_C", "x_B"}, {}};
-  for (const auto& [panel, alpha] :
-       {std::pair{"a", "\"magic:3\""}, {"b", "\"12/100\""}, {"c", "\"10/100\""}})
-    for (const std::vector<double>& place : three_bodies(alpha))
+  // A and C are a length apart, so that the first collision is at time 0 of the paper.
+  const std::string rest = "\"\npositions = [-1, 0, 1]\nuntil = 6\n";
+  for (const auto& [panel, alpha] : {std::pair{"a", "magic:3"}, {"b", "12/100"}, {"c", "10/100"}})
+    for (const auto& place : places("alpha = \"" + (alpha + rest), -1))
       table.rows.push_back(concatenated({{text_cell(panel)}, real_cells(place)}));
   return table;
 }

@@ -79,11 +79,4 @@ std::map<std::string, std::string> answer_to(const std::string& question) {
   return cells;
 }
 
-bool are_equal(const std::string& one, const std::string& other) {
-  const auto left = magicmass::scenes::read_value(one);
-  const auto right = magicmass::scenes::read_value(other);
-  if (other.find('.') != std::string::npos) return left.to_double() == right.to_double();
-  return right.exact() != nullptr && left.is(*right.exact());
-}
-
 }  // namespace answers

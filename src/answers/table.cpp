@@ -145,12 +145,10 @@ Cell list_cell(const std::vector<std::string>& texts) {
 }
 
 Cell object_cell(const Fields& fields) {
-  std::vector<std::string> texts, pairs;
-  for (const auto& [name, cell] : fields) {
-    texts.push_back(name + " " + cell.text);
-    pairs.push_back(json_string(name) + ": " + cell.json);
-  }
-  return {joined(texts), "{" + joined(pairs) + "}"};
+  const auto text = [](const auto& field) { return field.first + " " + field.second.text; };
+  std::string json = written(one_row(fields), Format::json);
+  json.pop_back();  // the line's end
+  return {joined(texts_of(fields, text)), json};
 }
 
 Table one_row(const Fields& fields) {

@@ -27,17 +27,13 @@ std::string tier_of(const Request& request) {
 
 /// What eval and terminal are asked.
 struct Asked {
-  explicit Asked(const Request& request)
-      : alpha(alpha_of(request.text("alpha"))),
-        tier(tier_of(request)),
-        digits(digits_wanted(request)),
-        wants_fractions(tier == "exact" && !digits),
-        number(tier == "exact" ? nullptr : std::get_if<double>(&alpha)) {}
-  Alpha alpha;
-  std::string tier;
-  std::optional<int> digits;
-  bool wants_fractions;
-  const double* number;  // the double that tiers fast and accurate answer for
+  const Request& request;
+  Alpha alpha = alpha_of(request.text("alpha"));
+  std::string tier = tier_of(request);
+  std::optional<int> digits = digits_wanted(request);
+  bool wants_fractions = tier == "exact" && !digits;
+  /// The double that tiers fast and accurate answer for.
+  const double* number = tier == "exact" ? nullptr : std::get_if<double>(&alpha);
 
   /// Fractions that so many steps make longer by so many bits of the mass ratio and of `others`
   /// each, or rounded from short ones: these may be halfway between two. Else of balls. Throws
@@ -102,7 +98,7 @@ bool is_of_arrays(const Rows& rows) {
 }  // namespace
 
 Answer eval(const Request& request) {
-  const Asked in(request);
+  const Asked in{request};
   const LargeCounts counts = count_collisions(in.alpha);
   const cln::cl_I& N_A = counts.N_A;
   const bool fits = cln::integer_length(N_A) < 64;
@@ -145,14 +141,6 @@ Alpha restitution_of(const Request& request) {
                      shown_text(text));
 }
 
-/// Fractions by the law of one collision.
-std::vector<cln::cl_RA> stepped(const cln::cl_RA& mass, const cln::cl_RA& e, std::int64_t N) {
-  magicmass::simulator::InTurn<cln::cl_RA> now(1, mass, 1, e);
-  while (now.collisions < N) now.step();
-  const auto& [a, c, b] = now.velocities;
-  return {a, b, c, b * b};
-}
-
 /// Counts and velocities at the end; where collisions never end, also when that is.
 Row end_of(const Asked& in, const Alpha& restitution) {
   const cln::cl_RA e = *fraction_of(restitution);
@@ -178,8 +166,13 @@ Row end_of(const Asked& in, const Alpha& restitution) {
   }
   const Trio trio = Trio::equal_blocks(value_of(in.alpha), value_of(e));
   if (const auto N = trio.count()) {
-    constexpr int longest = 1 << 18;  // each step reduces its fractions
-    const auto exactly = [&](const cln::cl_RA& mass) { return stepped(mass, e, *N); };
+    constexpr int longest = 1 << 18;                    // each step reduces its fractions
+    const auto exactly = [&](const cln::cl_RA& mass) {  // by the law of one collision
+      magicmass::simulator::InTurn<cln::cl_RA> now(1, mass, 1, e);
+      while (now.collisions < *N) now.step();
+      const auto& [a, c, b] = now.velocities;
+      return std::vector{a, b, c, b * b};
+    };
     const auto balls = [&] { return answers::terminal(trio, *N); };
     return concatenated({count_cells({(*N + 1) / 2, *N / 2}),
                          in.cells(*N, "collisions", exactly, balls, longest, Quadratic(e).bits())});
@@ -197,7 +190,7 @@ Row end_of(const Asked& in, const Alpha& restitution) {
 }
 
 Answer terminal(const Request& request) {
-  const Asked in(request);
+  const Asked in{request};
   const bool may_lose = request.has("restitution");
   const Names& columns = may_lose ? with_restitution : of_terminal;
   const Alpha e = may_lose ? restitution_of(request) : Alpha(cln::cl_RA(1));

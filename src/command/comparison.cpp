@@ -4,6 +4,7 @@
 
 #include "answers/commands.hpp"
 #include "command/files.hpp"
+#include "magicmass/scenes/scene.hpp"
 
 namespace command {
 namespace {
@@ -18,9 +19,13 @@ std::string with_decimals(const std::string& number, std::size_t digits) {
   return formatted("%." + std::to_string(digits) + "f", std::stod(number));
 }
 
+/// To the decimals that are printed; else exactly, but as doubles where ours has decimals.
 bool agree(const std::string& printed, const std::string& ours) {
   if (decimals(printed) != 0) return with_decimals(ours, decimals(printed)) == printed;
-  return are_equal(printed, ours);
+  const auto left = magicmass::scenes::read_value(printed);
+  const auto right = magicmass::scenes::read_value(ours);
+  if (decimals(ours) != 0) return left.to_double() == right.to_double();
+  return right.exact() != nullptr && left.is(*right.exact());
 }
 
 Row compared(const std::string& line) {
