@@ -150,8 +150,13 @@ private:
     std::string word = run(is_digit);
     if (takes(U".")) word += "." + run(is_digit);
     if (peek() == U'.') refuse_at(at + 1, "a second decimal point in a number");
-    if (word == "0" && (peek() | 0x20U) == U'x' && is_plain(peek(1)))
-      refuse_at(column, "a hexadecimal number? write it in decimal, or 0*x for a product");
+    const char32_t base = peek() | 0x20U;
+    const bool has_base = base == U'x' ? is_plain(peek(1)) : is_digit(peek(1));
+    if (word == "0" && has_base && (base == U'x' || base == U'b' || base == U'o'))
+      refuse_at(column, std::string("a number of another base? write it in decimal, or 0*") +
+                            char(base) + " for a product");
+    if (text.substr(at, 4) == U"x10^")
+      refuse_at(column, word + "x10^ has two readings: write " + word + "*10^ or " + word + "*x_10^");
     const bool has_sign = peek(1) == U'+' || peek(1) == U'-';
     if ((peek() | 0x20U) == U'e' && is_digit(peek(has_sign ? 2 : 1))) {
       const bool is_small = text[at++] == U'e';
