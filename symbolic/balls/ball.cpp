@@ -40,9 +40,6 @@ std::size_t length(const cl_RA& q) {
 }  // namespace
 
 int Ball::bits_ = 128;
-
-Ball::Ball(double finite) : Ball(exact(finite)) {}
-
 void Ball::set_bits(int bits) { bits_ = bits; }
 
 Ball::Ball(const cl_RA& q) : middle(cln::floor1(scaled(q, bits_))), radius(1) {
@@ -83,8 +80,7 @@ Ball Ball::alternating(Ball term, const Ball& square, int first) {
 }
 /// t + t square/3 + t square^2/5 + ...; what is left out is less than the last power.
 Ball Ball::odd_powers(const Ball& t, const Ball& square) {
-  Ball power = t;
-  Ball sum = t;
+  Ball power = t, sum = t;
   for (int k = 1; cln::abs(power.middle) > power.radius; ++k) {
     power = power * square;
     sum = sum + power.over(2 * k + 1);
@@ -97,8 +93,7 @@ Ball sin(const Ball& x) { return Ball::alternating(x, x * x, 1); }
 Ball power(const Ball& base, std::int64_t exponent) {
   const auto size = static_cast<std::int64_t>(cln::integer_length(base.middle)) - Ball::bits_;
   if (size > 1 && exponent > 1000000 / size) throw NotCertain("a power of too many digits");
-  Ball result = 1;
-  Ball square = base;
+  Ball result = 1, square = base;
   for (; exponent > 0; exponent /= 2) {
     if (exponent % 2 == 1) result = result * square;
     if (exponent > 1) square = square * square;
@@ -131,8 +126,7 @@ Ball exp(const Ball& x) {
   if (x.radius > cln::ash(cl_I(1), Ball::bits_)) throw NotCertain("an exponential of a wide ball");
   const int halvings = 8 + static_cast<int>(cln::integer_length(cln::floor1(cln::abs(x.low()))));
   const Ball small{cln::ash(x.middle, -halvings), cl_I(1)};
-  Ball term = 1;
-  Ball sum = 1;
+  Ball term = 1, sum = 1;
   for (int k = 1; cln::abs(term.middle) > term.radius; ++k) {
     term = (term * small).over(k);
     sum = sum + term;
@@ -209,8 +203,6 @@ cl_RA exact(double value) {
 Quadratic::Quadratic(const cl_RA& a, const cl_RA& b, const cl_I& d)
     : a_(a), b_(b), d_(cln::zerop(b) ? cl_I(1) : d) {}
 
-Quadratic::Quadratic(double value) : Quadratic(exact(value)) {}
-
 Quadratic Quadratic::sqrt(const Quadratic& x) {
   if (!cln::zerop(x.b_)) throw std::domain_error("a square root in a square root");
   if (cln::minusp(x.a_)) throw std::domain_error("the square root of a negative number");
@@ -250,9 +242,7 @@ Quadratic operator/(const Quadratic& x, const Quadratic& y) {
 }
 
 int Quadratic::sign() const {
-  const auto sign_of = [](const cl_RA& q) { return cln::minusp(q) ? -1 : cln::plusp(q) ? 1 : 0; };
-  const int a = sign_of(a_);
-  const int b = sign_of(b_);
+  const int a = cln::compare(a_, 0), b = cln::compare(b_, 0);
   if (a * b >= 0) return a == 0 ? b : a;
   return a_ * a_ < b_ * b_ * d_ ? b : a;
 }

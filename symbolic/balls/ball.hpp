@@ -19,13 +19,16 @@ struct NotCertain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A finite double, exactly.
+cln::cl_RA exact(double value);
+
 class Ball {
 public:
   /// Contains q; the bits of what follows. One thread at a time.
   Ball(const cln::cl_RA& q = 0);
   Ball(int n) : Ball(cln::cl_RA(n)) {}
   Ball(std::int64_t n) : Ball(cln::cl_RA(static_cast<long long>(n))) {}
-  explicit Ball(double finite);
+  explicit Ball(double finite) : Ball(exact(finite)) {}
 
   static void set_bits(int bits);  ///< of all balls from now on; no older one may be used again
   static Ball pi();
@@ -76,16 +79,13 @@ std::optional<double> nearest_double(const cln::cl_RA& low, const cln::cl_RA& hi
 /// between low and high, or where 0 is between them and they are not both 0.
 std::optional<std::string> decimal(const cln::cl_RA& low, const cln::cl_RA& high, int digits);
 
-/// A finite double, exactly.
-cln::cl_RA exact(double value);
-
 /// a + b sqrt(d), of one quadratic field, exactly; rationals are those with b = 0.
 class Quadratic {
 public:
   Quadratic(const cln::cl_RA& rational = 0) : a_(rational), b_(0), d_(1) {}
   Quadratic(int whole) : Quadratic(cln::cl_RA(whole)) {}
   /// The double itself. It must be finite.
-  explicit Quadratic(double value);
+  explicit Quadratic(double value) : Quadratic(exact(value)) {}
 
   /// What leaves the field throws std::domain_error: two different square roots in one number, a
   /// division by 0, and a root of what is negative or has a root itself.

@@ -167,8 +167,7 @@ int Builder::rest(int p, int q, int k) {
                                            : product(q, scaled(k, -1));
   // |p - q k| <= q/2, but for the rounding of p/q itself, which the test of the sign finds.
   const double more = divisor.range.high * 0.50000001;
-  const Interval near_p{-program[p].range.high - more, more - program[p].range.low};
-  program[part].range = meet(program[part].range, near_p);
+  narrow(part, {-program[p].range.high - more, more - program[p].range.low});
   return sum(p, part);
 }
 void Builder::need_positive(const std::string& name, int k) {

@@ -4,8 +4,6 @@
 
 namespace codegen {
 namespace {
-using kernel::Expr;
-using kernel::Exprs;
 
 /// f at another index.
 Expr at(Expr f, Expr index) {
@@ -41,7 +39,7 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
     know(terms, p, identifier(p.name()));
     parameters += "const Number& " + identifier(p.name()) + ", ";
   }
-  const auto value = [&](const kernel::Theorem& theorem, const std::string& at_m) {
+  const auto value = [&](const Theorem& theorem, const std::string& at_m) {
     Builder these = terms;
     know(these, at(f, m), at_m);
     const int k = these.build(theorem.conclusion().arg(1));
@@ -51,7 +49,7 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
   know(terms, at(f, 1), "first");
   const std::string lower = value(t.even, "low"), upper = value(t.even, "high");
   know(terms, at(f, m + 1), "high");
-  const auto line = [](const std::string& code, const kernel::Theorem& of) {
+  const auto line = [](const std::string& code, const Theorem& of) {
     return commented(code, kernel::text(of.conclusion()));
   };
   return "/// " + cpp_name(f) + " at 2n and at 2n + 1, by doubling the index.\n" +

@@ -18,7 +18,7 @@ std::string capital(std::string name);
 std::string opening(const std::string& what, const std::vector<std::string>& includes);
 
 /// The ids of theorems, by their conclusions.
-using Ids = std::map<kernel::Expr, std::string>;
+using Ids = std::map<Expr, std::string>;
 
 /// The ids of what cases are made of, each once, in order; theorems without an id are left out.
 Words ids_of(const std::vector<Case>& cases, const Ids& ids);

@@ -72,10 +72,9 @@ private:
         bounds_of = here;
         width = constants.size();
       }
-      if (bounds_of != here) {
+      if (bounds_of != here)
         throw Refused("bounds of " + name + " differ in form for " + t.name() + ": " +
                       joined(here, "; "));
-      }
       Words row;
       for (double x : constants) row.push_back(hex(is_wide ? x / t.u : x));
       rows[is_wide ? 3 : std::size_t(t.tier - &tiers()[0])] = "      {" + joined(row, ", ") + "}";
@@ -105,17 +104,16 @@ private:
     };
     for (const Node& n : p.nodes)
       for (int o : n.of) keep(o, n.stage);
-    for (const Form& f : accurate.outputs) {
+    for (const Form& f : accurate.outputs)
       for (const auto& [sizes, k] : f)
         for (int v : sizes) keep(v, 3);
-    }
     for (const Result& r : p.results) keep(r.node, r.kind == Result::whole ? 4 : 3);
     return found;
   }
 
   void structure() {
     line("/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) + ".");
-    for (const kernel::Theorem& t : c.outputs) line("/// Theorem: " + shown(q, t.conclusion()));
+    for (const Theorem& t : c.outputs) line("/// Theorem: " + shown(q, t.conclusion()));
     std::map<std::string, Words> facts;  // by what they rest on
     for (const Fact& f : c.facts) {
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;

@@ -7,8 +7,6 @@
 
 namespace codegen {
 namespace {
-using kernel::Expr;
-using kernel::Theorem;
 
 /// "alpha >= Number(0x1p-300) && ...", "" where nothing is tested: a field need have no order.
 std::string guard(const PlainForm& f, const Case& c) {
@@ -64,7 +62,7 @@ Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
     std::erase_if(c.outputs, [&](const Theorem& t) { return !is_wanted(t); });
     if (c.outputs.empty()) c.guards.clear();
     for (const Theorem& t : c.outputs) visit(visit, t.conclusion());
-    kernel::Theorems needed;
+    Theorems needed;
     for (auto t = c.definitions.rbegin(); t != c.definitions.rend(); ++t) {
       const Expr head = t->conclusion().arg(0);
       const bool is_live = live.count(kernel::substitute(head, q.units)) > 0;
@@ -170,10 +168,9 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
     emit_function(f, ids, wanted, result);
   }
   for (const std::string& name : all) missing.erase(name);
-  if (!missing.empty()) {
+  if (!missing.empty())
     throw Refused("no output is called " + *missing.begin() +
                   "; allowed: " + joined({all.begin(), all.end()}, ", "));
-  }
   Words includes;
   for (const auto& [used, header] : {std::pair("std::array<", "<array>"),
                                      {"std::bit_width(", "<bit>"},

@@ -150,8 +150,7 @@ std::string in_code(const Program& p, const Form& f, std::vector<double>& consta
   std::map<int, int> uses;
   for (const auto& [sizes, k] : f)
     for (int v : std::set(sizes.begin(), sizes.end())) ++uses[v];
-  const auto fewer = [](const auto& x, const auto& y) { return x.second < y.second; };
-  const int best = std::max_element(uses.begin(), uses.end(), fewer)->first;
+  const int best = std::ranges::max_element(uses, {}, &std::pair<const int, int>::second)->first;
   Form with, without;
   for (const auto& [sizes, k] : f) {
     Sizes s = sizes;

@@ -7,8 +7,6 @@
 
 namespace codegen {
 namespace {
-using kernel::Expr;
-using kernel::Exprs;
 
 /// Whether a formula follows from the ranges; what has no range is not known.
 bool holds(const Domain& d, Expr f) {
@@ -75,7 +73,7 @@ std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
 }
 std::vector<Output> outputs_of(const Case& c) {
   std::vector<Output> r;
-  for (const kernel::Theorem& t : c.outputs) {
+  for (const Theorem& t : c.outputs) {
     const Expr left = t.conclusion().arg(0);
     r.push_back({identifier(left.name()), left.sort() == kernel::Sort::Int});
   }
@@ -96,14 +94,14 @@ void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion)
                   kernel::text(conclusion));
   }
 }
-Expr head(const Domain& d, const kernel::Theorem& t) {
+Expr head(const Domain& d, const Theorem& t) {
   const Expr f = t.conclusion();
   if (f.op() != kernel::Op::Eq || f.arg(0).op() != kernel::Op::Fun)
     throw Refused("not of the form name(params) = term: " + kernel::text(f));
   check_hypotheses(d, t.hypotheses(), f);
   return f.arg(0);
 }
-Expr checked_head(const Domain& d, const kernel::Theorem& t) {
+Expr checked_head(const Domain& d, const Theorem& t) {
   const Expr name = head(d, t);
   const Exprs parameters = kernel::signature(name.name())->params;
   for (std::size_t k = 0; k < name.size(); ++k) {

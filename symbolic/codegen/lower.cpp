@@ -6,9 +6,6 @@
 
 namespace codegen {
 namespace {
-using kernel::Expr;
-using kernel::Exprs;
-using kernel::Theorem;
 
 class Reader : public Builder {
 public:
@@ -64,10 +61,9 @@ public:
       if (is_whole && !domain.is_wide && n.range.size() > 0x1p51)
         throw Refused(left.name() + " may be above 2^51");
     }
-    for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left}) {
+    for (Expr e : kernel::is_matrix(left) ? kernel::entries(left) : Exprs{left})
       program.results.push_back(
           {is_whole ? Result::whole : Result::real, identifier(left.name()), nodes.at(e)});
-    }
   }
   void check_all_used() const {
     const auto check_named = [&](const std::string& what, const std::string& name) {

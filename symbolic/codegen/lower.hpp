@@ -25,11 +25,11 @@ public:
   /// Whether each operation of a theorem is one of the number type, as it is.
   bool is_plain() const { return numbers == Numbers::plain || numbers == Numbers::field; }
 
-  std::map<kernel::Expr, int> nodes;  ///< of what is known: inputs, names, terms already built
-  std::map<int, int> squares;         ///< nodes, for arctangents
+  std::map<Expr, int> nodes;   ///< of what is known: inputs, names, terms already built
+  std::map<int, int> squares;  ///< nodes, for arctangents
   /// Refused: a name without a definition, an operation that there is none for.
-  int build(kernel::Expr e);
-  Interval range(kernel::Expr e) { return program[build(e)].range; }
+  int build(Expr e);
+  Interval range(Expr e) { return program[build(e)].range; }
 
   int input(const std::string& name, bool is_whole, Interval range, bool may_be_zero = false);
   int constant(const cln::cl_RA& value, bool of_pi = false);
@@ -60,11 +60,11 @@ private:
   int add(Node n);
   Interval range_of(const Node& n) const;
 
-  int made(kernel::Expr e);
-  int function(kernel::Expr e);
-  int product(const kernel::Exprs& factors);
-  int plain_product(const kernel::Exprs& factors);
-  int ceiling(kernel::Expr x);
+  int made(Expr e);
+  int function(Expr e);
+  int product(const Exprs& factors);
+  int plain_product(const Exprs& factors);
+  int ceiling(Expr x);
 };
 /// The largest angle that sine and cosine take without turning it: pi/6 and a little more.
 constexpr double small_angle = 0.52359905;
@@ -88,22 +88,22 @@ struct Domain {
   const Quantity& quantity;
   const Case& which;
   bool is_wide;
-  std::function<Interval(kernel::Expr)> range;
+  std::function<Interval(Expr)> range;
 };
 /// Refused: a hypothesis that does not follow from the ranges.
-void check_hypotheses(const Domain& d, const kernel::Exprs& hypotheses, kernel::Expr conclusion);
+void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion);
 /// The left side of |- name(params) = term. Refused: another form, a hypothesis that does not
 /// follow.
-kernel::Expr head(const Domain& d, const kernel::Theorem& t);
+Expr head(const Domain& d, const Theorem& t);
 /// Refused, too: a parameter that is no input, unit, or one-point interval.
-kernel::Expr checked_head(const Domain& d, const kernel::Theorem& t);
+Expr checked_head(const Domain& d, const Theorem& t);
 /// The formula with names at their parameters in place of units: a_n, not a_n(alpha, 1).
-std::string shown(const Quantity& q, kernel::Expr formula);
+std::string shown(const Quantity& q, Expr formula);
 /// The function template that goes to f(params, 2n) and f(params, 2n + 1) in as many steps as n has
 /// bits. Refused: theorems of another shape.
 std::string emit_doubling(const Doubling& t, const Domain& d);
 /// Makes f(params, 2*x) and f(params, 2*x + 1) in a term known; the lines that compute both.
-std::string call_doubling(const Doubling& t, kernel::Expr term, Builder& terms);
+std::string call_doubling(const Doubling& t, Expr term, Builder& terms);
 // The passes.
 /// Without what no output, sign or guard needs.
 Program without_dead_code(const Program& p);

@@ -87,9 +87,7 @@ Polynomial make(const Range& range, Shape shape) {
 }
 std::vector<Tier> make_tiers() {
   // (pi/4)^2 and (pi/6)^2 and a little more: room for an angle that is rounded.
-  constexpr double quarter = 0.6168510;
-  constexpr double sixth = 0.2741560;
-  constexpr double third = 0x1.5555555555556p-2;
+  constexpr double quarter = 0.6168510, sixth = 0.2741560, third = 0x1.5555555555556p-2;
   const Range ranges[] = {{"arc_tangent", third, third / 2, 0.9},
                           {"sine", quarter, 0, 0.9},
                           {"cosine", quarter, 0, 0.707},

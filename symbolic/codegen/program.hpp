@@ -6,6 +6,7 @@
 #include "kernel/theorem.hpp"
 
 namespace codegen {
+using kernel::Expr, kernel::Exprs, kernel::Theorem, kernel::Theorems;
 /// "Exact" nodes are plain numbers without error; all others are of the number type.
 enum class Op {
   input,            ///< exact
@@ -79,7 +80,7 @@ std::string identifier(const std::string& name);
 /// An argument of a quantity: a variable of the kernel (whole if its sort is Int), and where the
 /// evaluators answer: in doubles, and in MPFR's numbers. Both are emitted as guards at run time.
 struct Input {
-  kernel::Expr variable;
+  Expr variable;
   Interval range;
   Interval wide_range;
   bool may_be_zero = false;  ///< too, exactly: an evaluator's only
@@ -96,13 +97,13 @@ struct Condition {
 /// `p <= q` about named nodes or numbers, or `p^2 = q` for the square that an arctangent needs: by
 /// a theorem, or by an argument that is printed with the evaluator.
 struct Fact {
-  kernel::Exprs hypotheses;
-  kernel::Expr formula;
+  Exprs hypotheses;
+  Expr formula;
   std::string argument = "by theorem";
   /// Why it holds of computed values, within 2^-22, where their error bounds do not show it.
   std::string of_computed;
-  Fact(const kernel::Theorem& t) : hypotheses(t.hypotheses()), formula(t.conclusion()) {}
-  Fact(kernel::Expr f, const std::string& why) : formula(f), argument(why) {}
+  Fact(const Theorem& t) : hypotheses(t.hypotheses()), formula(t.conclusion()) {}
+  Fact(Expr f, const std::string& why) : formula(f), argument(why) {}
 };
 /// One formula for a part of a quantity's domain. A theorem is taken only if each of its hypotheses
 /// follows from the intervals: of the quantity, met with those of `where`.
@@ -110,9 +111,9 @@ struct Case {
   std::string name;
   std::vector<Condition> where;
   /// `name(params) = term`, in order; they name the nodes.
-  kernel::Theorems definitions;
+  Theorems definitions;
   /// `output(params) = term`; an input with a one-point interval may stand as that number.
-  kernel::Theorems outputs;
+  Theorems outputs;
   std::vector<Fact> facts;
   /// Named nodes that must be within their open intervals; else the row is left in doubt.
   std::vector<Condition> guards;
@@ -123,7 +124,7 @@ struct Case {
 /// |- f(params, 0) = .., f(params, 1) = .., f(params, 2*m) by f(params, m), and f(params, 2*m + 1)
 /// by f(params, m), f(params, m + 1) and f(params, 1), for every integer m.
 struct Doubling {
-  kernel::Theorem at_0, at_1, even, odd;
+  Theorem at_0, at_1, even, odd;
 };
 struct Quantity {
   std::string name;

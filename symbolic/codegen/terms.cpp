@@ -5,8 +5,6 @@
 #include "codegen/lower.hpp"
 
 namespace codegen {
-using kernel::Expr;
-using kernel::Exprs;
 
 namespace {
 Exprs factors_of(Expr e) { return e.op() == kernel::Op::Mul ? e.args() : Exprs{e}; }

@@ -68,7 +68,7 @@ Words ids_of(const std::vector<Case>& cases, const Ids& ids) {
   Words r;
   for (const Case& c : cases)
     for (const auto* theorems : {&c.definitions, &c.outputs})
-      for (const kernel::Theorem& t : *theorems) {
+      for (const Theorem& t : *theorems) {
         const auto found = ids.find(t.conclusion());
         if (found == ids.end()) continue;
         if (std::ranges::count(r, found->second) == 0) r.push_back(found->second);

@@ -80,9 +80,8 @@ std::string Script::shared(const std::string& kind, Expr e, const Names& bound,
   if (known.empty()) {
     define_all(e);
     const std::string binders = spaced(variables) + spaced(own);
-    const std::string why = proof();
     known = add_lemma(kind, (binders.empty() ? "" : "forall" + binders + " : R, ") + statement(own),
-                      "intros" + binders + ". " + why);
+                      "intros" + binders + ". " + proof());
   }
   variables.insert(variables.end(), bound.end() - std::ptrdiff_t(own.size()), bound.end());
   return "(" + known + spaced(variables) + ")";

@@ -37,9 +37,8 @@ Files files(const std::vector<Chapter>& chapters) {
   for (const Chapter& chapter : chapters) {
     std::string shown;
     for (const auto& [id, t] : chapter.shown) {
-      const std::string lemma = script.lemma(t);
       shown += "\n(* " + id + " *)\nTheorem t'" + std::to_string(++out.shown) + " : " +
-               Script::statement(t) + ".\nProof. exact " + lemma + ". Qed.\n";
+               Script::statement(t) + ".\nProof. exact " + script.lemma(t) + ". Qed.\n";
     }
     out.texts.emplace_back(chapter.name + ".v", "From Magicmass Require Export " + last +
                                                     ".\nOpen Scope R_scope.\n" + script.take() +

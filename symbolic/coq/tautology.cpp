@@ -57,8 +57,7 @@ std::string Script::tautology(const Theorem& t, const Context& c) {
   for (const auto& [form, alike] : parts.alike) {
     for (Expr f : alike) {
       if (f.op() == Op::Le) {
-        const Expr less = kernel::lt(f.arg(1), f.arg(0));
-        const std::string proof = same(less, form, {});
+        const std::string proof = same(kernel::lt(f.arg(1), f.arg(0)), form, {});
         bridge(f, form, "~ ", "(iff_trans (not_lt _ _) (same_not _ _ " + proof + "))");
       } else if (!(f == form)) {
         bridge(f, form, "", same(f, form, {}));

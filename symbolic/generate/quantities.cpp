@@ -28,9 +28,8 @@ kernel::Theorems Source::at(const std::string& words, const kernel::Substitution
     const std::size_t slash = name.find('/');
     const std::string id = chapter + name.substr(0, slash);
     kernel::Theorem t = derivation::the_book()[id];
-    if (slash != std::string::npos) {
+    if (slash != std::string::npos)
       t = kernel::tautology(t.conclusion().arg(std::stoul(name.substr(slash + 1))), {t});
-    }
     out.push_back(kernel::instantiate(t, terms));
     ids.insert({out.back().conclusion(), id});
   }
@@ -40,9 +39,7 @@ Case Source::of(const std::string& name, const std::vector<Condition>& where,
                 const std::string& words, const kernel::Substitution& terms) {
   const std::size_t to = words.find("->");
   if (to == std::string::npos) throw Refused("no -> before outputs: " + words);
-  Case c{name, where, at(words.substr(0, to), terms), {}, {}, {}};
-  c.outputs = at(words.substr(to + 2), terms);
-  return c;
+  return {name, where, at(words.substr(0, to), terms), at(words.substr(to + 2), terms), {}, {}};
 }
 
 namespace {
@@ -108,10 +105,7 @@ private:
   const std::map<std::string, std::function<void()>> entries{
       {"", [] {}},
       {"form:", [this] { form = text(); }},
-      {"let:",
-       [this] {
-         lets["$" + words.at(0)] = {words.begin() + 1, words.end()};
-       }},
+      {"let:", [this] { lets["$" + words.at(0)].assign(words.begin() + 1, words.end()); }},
       {"quantity:",
        [this] {
          made.all.push_back({{text(), "", {}, {}, made.source.units}, form});

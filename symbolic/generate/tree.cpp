@@ -43,12 +43,10 @@ std::vector<std::string> differences(const std::string& folder, const Texts& tex
   std::vector<std::string> out;
   for (const auto& [path, text] : texts) {
     std::ifstream file(fs::path(folder) / path, std::ios::binary);
-    if (!file) {
+    if (!file)
       out.push_back(path + ": is not there");
-      continue;
-    }
-    const std::string there{std::istreambuf_iterator<char>(file), {}};
-    if (there != text) out.push_back(path + ": differs");
+    else if (text != std::string{std::istreambuf_iterator<char>(file), {}})
+      out.push_back(path + ": differs");
   }
   if (!fs::is_directory(folder)) return out;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {

@@ -32,8 +32,7 @@ public:
     static const std::string prime = "<mo>′</mo>";
     const std::size_t at = base.find(prime);  // above the index, not before it
     if (at == base.npos) return element("msub", row(base) + row(index));
-    const std::string plain = base.substr(6, at - 6);
-    return element("msubsup", plain + row(index) + prime);
+    return element("msubsup", base.substr(6, at - 6) + row(index) + prime);
   }
   std::string power(const std::string& base, const std::string& exponent) const override {
     return element("msup", row(base) + row(exponent));

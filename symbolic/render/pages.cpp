@@ -2,6 +2,7 @@
 #include "render/pages.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 namespace render {
 namespace {
@@ -15,18 +16,14 @@ std::string listed(const auto& all, const auto& print, const std::string& betwee
 }
 /// Broken at blanks where a line would be longer than 80 columns; an overlong word stays whole.
 std::string wrapped(const std::string& text, const std::string& indent) {
-  std::string out;
-  std::string line = indent;
-  std::size_t start = 0;
-  while (start < text.size()) {
-    const std::size_t end = std::min(text.find(' ', start), text.size());
-    const std::string word = text.substr(start, end - start);
+  std::string out, line = indent;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
     if (line.size() > indent.size() && line.size() + 1 + word.size() > 80) {
       out += line + "\n";
       line = indent + "  ";
     }
     line += (line.find_first_not_of(' ') == std::string::npos ? "" : " ") + word;
-    start = end + 1;
   }
   return out + line + "\n";
 }

@@ -158,10 +158,7 @@ private:
       out += (out.empty() ? "" : before_factor(factor)) + factor;
     return out;
   }
-  static bool is_inverse(Expr e) {
-    const Expr base = e.op() == Op::Pow ? e.arg(0) : e;
-    return is_call(base, "inv");
-  }
+  static bool is_inverse(Expr e) { return is_call(e.op() == Op::Pow ? e.arg(0) : e, "inv"); }
   /// A quotient with its sign in front.
   Piece product(Expr e) const {
     cln::cl_RA coefficient = 1;
@@ -208,8 +205,7 @@ private:
     const kernel::Signature& signature = *kernel::signature(e.name());
     const Exprs args = e.args();
     const bool hide = std::equal(signature.params.begin(), signature.params.end(), args.begin());
-    std::string index;
-    std::string plain;
+    std::string index, plain;
     for (std::size_t i = hide ? signature.params.size() : 0; i < args.size(); ++i) {
       std::string& part = signature.args[i] == kernel::Sort::Int ? index : plain;
       part += (part.empty() ? "" : word(", ")) + within(Quantified, args[i]);
