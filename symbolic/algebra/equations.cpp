@@ -162,17 +162,36 @@ Theorem root_squared(const Theorem& not_negative) {
   const Expr x = right(not_negative);
   return at("root squared", {{real("x"), x}}, {linear(le(0, x), {not_negative})});
 }
-Theorem root_of(const Theorem& square, const Theorem& t_positive) {
+// r^n - l^n is the sum over odd k of binomial(n, k) (r - l)^k (l + r)^(n - k)/2^(n - 1).
+Theorem by_powers(Expr goal, int n, const Theorems& facts) {
+  const bool is_strict = goal.op() == Op::Lt;
+  const Expr l = goal.arg(1), r = goal.arg(0), both = l + r;  // of the contrary
+  const Theorem contrary = assume(is_strict ? le(l, r) : lt(l, r));
+  Theorems sum;
+  if (n % 2 == 0) sum = {linear(is_strict ? le(0, both) : lt(0, both), facts + Theorems{contrary})};
+  Certificate powers;
+  for (int k = 1; k <= n; k += 2)
+    powers.products.push_back(
+        {cln::binomial(unsigned(n), unsigned(k)) / cln::expt(cln::cl_RA(2), n - 1),
+         Theorems(std::size_t(k), contrary) + sum, Exprs(std::size_t(n - k) / 2, both)});
+  const Expr a = power(l, n), b = power(r, n);
+  return otherwise(goal, facts + Theorems{arithmetic(is_strict ? le(a, b) : lt(a, b), powers)});
+}
+Theorem same_root(const Theorem& powers, const Theorems& signs) {
+  const Expr a = left(powers).arg(0), b = right(powers).arg(0);
+  const auto not_above = [&](Expr l, Expr r) {
+    return by_powers(le(l, r), left(powers).exponent(), signs + Theorems{powers});
+  };
+  return linear(eq(a, b), {not_above(a, b), not_above(b, a)});
+}
+Theorem root_of(const Theorem& square, const Theorem& t_sign) {
   const Expr t = left(square).arg(0), x = right(square);
   const Theorem not_negative =
       arithmetic(le(0, x), {.equations = {{1, square}}, .products = {{1, {}, {t}}}});
   const Theorem root_sign = at("root not negative", {{real("x"), x}}, {not_negative});
-  // (sqrt(x) + t)(t - sqrt(x)) = (t^2 - x) - (sqrt(x)^2 - x)
-  return arithmetic(eq(sqrt(x), t),
-                    {.equations = {{-1, square}, {1, root_squared(not_negative)}},
-                     .multipliers = {linear(lt(0, sqrt(x) + t), {root_sign, t_positive})}});
+  return same_root(chain(root_squared(not_negative), turned(square)), {root_sign, t_sign});
 }
 Theorem root_is(Expr x, Expr t, const Theorems& facts) {
-  return root_of(equation(power(t, 2), x, facts), positive(t, facts));
+  return root_of(equation(power(t, 2), x, facts), not_negative(t, facts));
 }
 }  // namespace algebra

@@ -10,10 +10,10 @@ Theorem shown(Expr t, bool strict, const std::vector<Certificate::Product>& prod
 const Theorem& root_positive() {  // |- 0 < x implies 0 < sqrt(x)
   static const Theorem result = [] {
     const Expr x = real("x");
-    const Theorem x_positive = assume(lt(0, x)), none = assume(le(sqrt(x), 0));
-    const Theorem weak = linear(le(0, x), {x_positive});
-    const Theorem square = times(at("root not negative", {}, {weak}), none);
-    return discharge(lt(0, x), otherwise(lt(0, sqrt(x)), {square, x_positive, root_squared(weak)}));
+    const Theorem positive = assume(lt(0, x)), weak = linear(le(0, x), {positive});
+    return discharge(
+        lt(0, x), by_powers(lt(0, sqrt(x)), 2,
+                            {positive, root_squared(weak), at("root not negative", {}, {weak})}));
   }();
   return result;
 }

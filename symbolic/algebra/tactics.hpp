@@ -112,8 +112,12 @@ Theorem turned(const Theorem& e);
 Theorems entries(const Theorem& matrix_equation);
 /// |- sqrt(x)^2 = x from 0 <= x or 0 < x.
 Theorem root_squared(const Theorem& not_negative);
-/// |- sqrt(x) = t from t^2 = x and 0 < t.
-Theorem root_of(const Theorem& square, const Theorem& t_positive);
+/// l < r or l <= r from what `facts` say of l^n and r^n; where n is even, also 0 <= l and 0 <= r.
+Theorem by_powers(Expr goal, int n, const Theorems& facts);
+/// |- a = b from a^n = b^n; where n is even, also from `signs`: 0 <= a and 0 <= b.
+Theorem same_root(const Theorem& powers, const Theorems& signs = {});
+/// |- sqrt(x) = t from t^2 = x and 0 < t or 0 <= t.
+Theorem root_of(const Theorem& square, const Theorem& t_sign);
 /// The same where `equation` and `positive` show both.
 Theorem root_is(Expr x, Expr t, const Theorems& facts = {});
 

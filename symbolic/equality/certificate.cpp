@@ -9,6 +9,7 @@ using algebra::operator+;
 using algebra::Theorem;
 using algebra::Theorems;
 namespace {
+constexpr int highest_order = 12;
 constexpr std::size_t heaviest = 400;
 constexpr int most_multiplied_out = 24;
 constexpr int few_roots = 2, most_of_roots = 6;
@@ -18,10 +19,20 @@ constexpr int most_work_of_15 = 3;  // whose sines are of more roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
+cln::cl_RA exponent_of(Expr root) {
+  const cln::cl_RA e = is_call(root, "sqrt") ? 2 : root.arg(1).value();
+  return is_call(root, "raised") ? e : 1 / e;
+}
+int order_of(Expr root) { return cln::cl_I_to_int(cln::denominator(exponent_of(root))); }
+bool is_root(Expr e) {
+  const bool is_typed = is_call(e, "root") || is_call(e, "raised");
+  return is_call(e, "sqrt") || (is_typed && e.arg(1).op() == Op::Num &&
+                                cln::denominator(exponent_of(e)) <= highest_order);
+}
 bool is_algebraic_term(Expr e) {
   if (e.op() == Op::Num || e.op() == Op::Var) return true;
   if (is_sine(e)) return multiple_of_pi(e.arg(0)).has_value();
-  if (e.op() == Op::Fun && e.name() != "inv" && e.name() != "sqrt") return false;
+  if (e.op() == Op::Fun && e.name() != "inv" && !is_root(e)) return false;
   return e.size() > 0 && std::ranges::all_of(e.args(), is_algebraic_term);
 }
 Expr formula(const Requirement& r) {
@@ -29,16 +40,24 @@ Expr formula(const Requirement& r) {
          : r.kind == Need::NotNegative ? kernel::le(0, r.term)
                                        : kernel::lt(0, r.term);
 }
+std::string shown(Expr f) {
+  if (f.op() == Op::Eq) return notation::typed_text(f);
+  if (f.op() == Op::Not) return notation::typed_text(f.arg(0).arg(0)) + " != 0";
+  return notation::typed_text(f.arg(1)) + (f.op() == Op::Le ? " >= 0" : " > 0");
+}
+Expr by_facts(Expr e, const Theorems& facts) {
+  e = kernel::canonical(e);
+  for (const Theorem& is : facts)
+    if (is.conclusion().op() == Op::Eq)
+      e = kernel::canonical(
+          kernel::replace(e, kernel::canonical(algebra::left(is)), algebra::right(is)));
+  return e;
+}
 // 0 < c or c < 0 from the signs of its parts or of its inverse, or not c = 0, as it has one.
 Theorem not_zero(Expr c, const Theorems& facts) {
   for (Expr side : {c, kernel::canonical(-c)})
     if (const auto positive = algebra::sign_of(side)) return *positive;
-  Expr value = kernel::canonical(c);
-  for (const Theorem& is : facts)
-    if (is.conclusion().op() == Op::Eq)
-      value = kernel::canonical(
-          kernel::replace(value, kernel::canonical(algebra::left(is)), algebra::right(is)));
-  const Expr inverse = algebra::simplified(1 / value), zero = kernel::eq(c, 0);
+  const Expr inverse = algebra::simplified(1 / by_facts(c, facts)), zero = kernel::eq(c, 0);
   algebra::Certificate proof{.equations = {{-1, algebra::equation(c * inverse, 1, facts)}},
                              .products = {{1}}};
   const auto positive = algebra::sign_of(inverse);
@@ -47,48 +66,111 @@ Theorem not_zero(Expr c, const Theorems& facts) {
   proof.equations.emplace_back(inverse, kernel::assume(zero));
   return algebra::refute(zero, kernel::arithmetic(kernel::lt(0, 0), proof));
 }
-// sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) and sqrt((a - d)/2), added or subtracted, where a
-// is rational and the root of a rational is b; d^2 = a^2 - b^2.
-std::optional<Expr> sum_of_roots(Expr x, Theorems& facts) {
-  Forms forms({});
-  const Sum sum = forms.of(x);
-  const cln::cl_RA a = sum.contains({}) ? sum.at({}) : cln::cl_RA(0);
-  const Sum rest = sum - number(a);
-  const auto root_of = [&](const cln::cl_RA& q) {  // 2 sqrt(2) sqrt(3) of 24
-    return forms.expression(forms.of(kernel::sqrt(Expr(q))));
-  };
-  if (rest.empty()) return root_of(a);
-  const Sum squared = forms.of(kernel::power(forms.expression(rest), 2));
-  const auto square = notation::rational_value(forms.expression(squared));
-  cln::cl_RA d;
-  if (!square || a * a < *square || !cln::sqrtp(a * a - *square, &d)) return {};
-  const Expr more = root_of((a + d) / 2), less = root_of((a - d) / 2);
-  if (rest.begin()->second > 0) return more + less;
-  facts.push_back(not_zero(more - less, facts));
-  return more - less;
+/// x^(k/n) is the r with r^n = x^k and, if n is even, 0 <= r.
+Exprs definition(Expr root) {
+  const int k = whole(exponent_of(root)), n = order_of(root);
+  const Expr x = kernel::power(root.arg(0), std::abs(k));
+  Exprs out{kernel::eq(kernel::power(root, n), k < 0 ? 1 / x : x)};
+  if (n % 2 == 0) out.push_back(kernel::le(0, root));
+  return out;
 }
-// Facts of the roots of constants, by those that are no sums of simpler ones.
-void add_roots(Expr e, Theorems& facts, Exprs& others) {
-  for (Expr part : e.args()) add_roots(part, facts, others);
-  if (!is_call(e, "sqrt")) return;
-  const Expr x = e.arg(0);
-  if (is_constant(x) && Forms({}).of(x).empty()) return;
-  const bool is_sum = is_constant(x) && is_proved([&] {
-                        const auto root = sum_of_roots(x, facts);
-                        return root && (facts.push_back(algebra::root_is(x, *root, facts)), true);
-                      });
-  if (!is_sum) others.push_back(x);
+Theorem root_is(Expr root, Expr t, const Theorems& facts) {
+  if (is_call(root, "sqrt")) return algebra::root_is(root.arg(0), t, facts);
+  const Theorems is = algebra::assumed(definition(root));
+  const Expr power = kernel::power(t, order_of(root));
+  Theorems signs(is.begin() + 1, is.end());
+  if (!signs.empty()) signs.push_back(algebra::not_negative(t, facts));
+  const Theorem of_t = algebra::equation(algebra::right(is[0]), power, facts);
+  return algebra::same_root(algebra::chain(is[0], of_t), signs);
 }
-// One root as both sides are equal, if it is that: two could be written by one another.
-void solve_for_a_root(Expr equation, Theorems& facts, const Exprs& radicands) {
-  for (Expr x : radicands)
-    if (is_proved([&] {
-          const Expr root = kernel::sqrt(x), value = algebra::solve({equation}, {root})[0];
-          const bool is_other = kernel::replace(value, root, 0) == value;
-          return is_other && (facts.push_back(algebra::root_is(x, value, facts)), true);
-        }))
-      return;
-}
+/// Facts of the roots of both sides: of those of one factor by the least, as 4^(1/3) is 2^(1/3)^2.
+struct Roots {
+  Forms forms;
+  std::map<Expr, cln::cl_I> orders = {};  // of each factor
+  std::set<Expr> seen = {};
+  Exprs others = {};  // that are not known by simpler ones
+  std::set<Expr> definitions = {};
+  Theorems facts = {};
+
+  void see(Expr e) {
+    for (Expr part : e.args()) see(part);
+    if (!is_root(e)) return;
+    for (const auto& [product, q] : forms.of(e))
+      for (const auto& [factor, power] : product) {
+        cln::cl_I& order = orders.try_emplace(factor, 1).first->second;
+        order = cln::lcm(order, cln::denominator(number_of(power).value_or(1)));
+      }
+  }
+  std::optional<Expr> by_factors(Expr root) {
+    const Sum sum = forms.of(root);
+    if (sum.size() != 1) return {};
+    Expr out = sum.begin()->second;
+    for (const auto& [factor, power] : sum.begin()->first) {
+      const auto e = number_of(power);
+      const cln::cl_I order = orders[factor];
+      if (!e || order == 0 || order > highest_order) return {};
+      const int n = cln::cl_I_to_int(order), k = whole(*e * order);
+      const Expr least = n == 1   ? factor
+                         : n == 2 ? kernel::sqrt(factor)
+                                  : notation::raised(factor, cln::cl_RA(1) / n);
+      const Expr whole = kernel::power(least, std::abs(k));
+      out = k > 0 ? out * whole : out / whole;
+    }
+    return is_algebraic_term(out) ? std::optional(out) : std::nullopt;
+  }
+  // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) and sqrt((a - d)/2), added or subtracted, where
+  // a is rational and the root of a rational is b; d^2 = a^2 - b^2.
+  std::optional<Expr> sum_of_roots(Expr root) {
+    if (!is_call(root, "sqrt")) return {};
+    const Sum sum = forms.of(root.arg(0));
+    const cln::cl_RA a = sum.contains({}) ? sum.at({}) : cln::cl_RA(0);
+    const Sum b = sum - number(a), squared = forms.of(kernel::power(forms.expression(b), 2));
+    const auto square = notation::rational_value(forms.expression(squared));
+    cln::cl_RA d;
+    if (!square || *square == 0 || a * a < *square || !cln::sqrtp(a * a - *square, &d)) return {};
+    const Expr more = kernel::sqrt(Expr((a + d) / 2)), less = kernel::sqrt(Expr((a - d) / 2));
+    if (b.begin()->second > 0) return more + less;
+    facts.push_back(not_zero(more - less, facts));
+    return more - less;
+  }
+  void add(Expr e) {
+    for (Expr part : e.args()) add(part);
+    if (!is_root(e) || !seen.insert(kernel::canonical(e)).second) return;
+    const Exprs is = definition(e);
+    if (!is_call(e, "sqrt")) definitions.insert(is.begin(), is.end());
+    for (auto simpler : {&Roots::by_factors, &Roots::sum_of_roots})
+      if (is_proved([&] {
+            const auto t = (this->*simpler)(e);
+            if (!t || kernel::canonical(*t) == kernel::canonical(e)) return false;
+            see(*t);
+            add(*t);
+            facts.push_back(root_is(e, *t, facts));
+            return true;
+          }))
+        return;
+    others.push_back(e);
+    if (is_call(e, "sqrt")) return;
+    Theorems known = algebra::assumed(is);
+    for (bool strict : {false, true})
+      if (const auto sign = algebra::sign_of(is[0].arg(1), facts, strict)) {
+        const Expr goal = strict ? kernel::lt(0, e) : kernel::le(0, e);
+        known.push_back(algebra::by_powers(goal, order_of(e), known + Theorems{*sign}));
+      }
+    facts = facts + known;
+  }
+  /// One root as both sides are equal, if it is that: two could be written by one another.
+  void solve_for_one(Expr goal) {
+    const Expr equation = kernel::eq(by_facts(goal.arg(0) - goal.arg(1), facts), 0);
+    for (Expr root : others)
+      if (is_proved([&] {
+            const Expr unknown = by_facts(root, facts);
+            const Expr value = algebra::solve({equation}, {unknown})[0];
+            const bool is_other = kernel::replace(value, unknown, 0) == value;
+            return is_other && (facts.push_back(root_is(root, value, facts)), true);
+          }))
+        return;
+  }
+};
 void collect_sines(Expr e, Exprs& sines) {
   if (is_sine(e)) sines.push_back(e);
   for (Expr part : e.args()) collect_sines(part, sines);
@@ -96,7 +178,7 @@ void collect_sines(Expr e, Exprs& sines) {
 // How much there is to multiply out of roots, and of sine and cosine of pi/d.
 cln::cl_I work(Expr e, const cln::cl_I& d) {
   if (is_sine(e)) return cln::numerator(cln::abs(d * *multiple_of_pi(e.arg(0))));
-  if (is_call(e, "sqrt")) return 1;
+  if (is_root(e)) return 1;
   cln::cl_I sum = 0;
   for (Expr part : e.args()) sum = sum + work(part, d);
   return e.op() == Op::Pow ? sum * e.exponent() : sum;
@@ -112,7 +194,7 @@ void name_bases(Expr e, kernel::Substitution& names) {
   for (Expr part : e.args()) name_bases(part, names);
 }
 // Sines of parts of pi by those of one part; false where they are too much.
-bool add_sines(Expr e, Theorems& facts, Exprs& roots) {
+bool add_sines(Expr e, Roots& roots) {
   Exprs sines;
   collect_sines(e, sines);
   cln::cl_I d = 1;
@@ -123,18 +205,16 @@ bool add_sines(Expr e, Theorems& facts, Exprs& roots) {
   const auto part = algebra::part_of_pi(cln::cl_I_to_int(d));
   if (!part) return false;
   const Expr angle = algebra::left(part->cosine).arg(0);
-  facts = algebra::angles(sines, {angle}) + Theorems{part->cosine, part->sine} + part->signs;
-  for (const auto& is : {part->cosine, part->sine}) add_roots(algebra::right(is), facts, roots);
+  const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
+  roots.facts = algebra::angles(sines, {angle}) + Theorems{part->cosine, part->sine} + part->signs;
+  roots.see(both);
+  roots.add(both);
   return true;
 }
 }  // namespace
 
-std::string text(const Requirement& r) {
-  return notation::typed_text(r.term) + (r.kind == Need::NotZero       ? " != 0"
-                                         : r.kind == Need::NotNegative ? " >= 0"
-                                                                       : " > 0");
-}
-std::string certified(Expr left, Expr right, const std::vector<Requirement>& needs) {
+std::string text(const Requirement& r) { return shown(formula(r)); }
+std::string certified(Expr left, Expr right, std::vector<Requirement> needs, const Domain& domain) {
   if (!is_algebraic_term(left - right) || left.weight() + right.weight() > heaviest) return "";
   kernel::Substitution bases;
   name_bases(left - right, bases);
@@ -142,27 +222,40 @@ std::string certified(Expr left, Expr right, const std::vector<Requirement>& nee
     for (const auto& [name, base] : bases) e = kernel::replace(e, base, name);
     return e;
   };
+  std::ranges::copy(conditions(domain), std::back_inserter(needs));
+  for (const auto& [x, range] : domain.ranges)
+    for (const auto& [end, side] : {std::pair(range.low, 1), {range.high, -1}})
+      if (end)
+        needs.push_back({end->is_inside ? Need::NotNegative : Need::Positive,
+                         kernel::canonical(Expr(side) * (x - Expr(end->value)))});
   std::string theorem;
   is_proved([&] {
-    Theorems facts;
-    Exprs roots;
-    if (!add_sines(left - right, facts, roots)) return false;
-    add_roots(left - right, facts, roots);
-    for (const auto& [kind, e] : needs) {
-      const Expr term = named(e);
-      const bool is_seen = is_constant(term) &&
-                           is_proved([&] { return facts.push_back(not_zero(term, facts)), true; });
-      if (!is_seen || kind != Need::NotZero) facts.push_back(kernel::assume(formula({kind, term})));
-    }
-    const Expr goal = kernel::eq(named(left), named(right));
-    if (!is_proved([&] { return algebra::equation(goal, facts), true; }))
-      solve_for_a_root(goal, facts, roots);
+    const Expr goal = kernel::eq(named(left), named(right)), both = goal.arg(0) - goal.arg(1);
+    Roots roots{Forms(narrowed(domain, needs))};
+    Theorems& facts = roots.facts;
+    for (const Requirement& r : needs) is_proved([&] { return roots.forms.assume(r), true; });
+    is_proved([&] { return roots.see(both), true; });
+    if (!add_sines(both, roots)) return false;
+    const auto suppose = [&](bool of_constants) {
+      for (const auto& [kind, e] : needs) {
+        const Expr term = named(e);
+        if (is_constant(term) != of_constants) continue;
+        const bool is_seen =
+            of_constants && is_proved([&] { return facts.push_back(not_zero(term, facts)), true; });
+        if (!is_seen || kind != Need::NotZero)
+          facts.push_back(kernel::assume(formula({kind, term})));
+      }
+    };
+    suppose(false);
+    roots.add(both);
+    suppose(true);
+    if (!is_proved([&] { return algebra::equation(goal, facts), true; })) roots.solve_for_one(goal);
     std::string hypotheses;
-    const Theorem proved = algebra::equation(goal, facts);
-    for (Expr h : kernel::instantiate(proved, bases).hypotheses()) {
-      const auto r = std::ranges::find(needs, h, formula);
-      if (r == needs.end()) return false;  // a hypothesis that nobody is told of
-      hypotheses += (hypotheses.empty() ? "" : ", ") + text(*r);
+    for (Expr h : algebra::equation(goal, facts).hypotheses()) {
+      const Expr is = kernel::substitute(h, bases);
+      if (std::ranges::find(needs, is, formula) == needs.end() && !roots.definitions.contains(h))
+        return false;  // a hypothesis that nobody is told of
+      hypotheses += (hypotheses.empty() ? "" : ", ") + shown(is);
     }
     theorem = hypotheses + (hypotheses.empty() ? "" : " |- ") + notation::typed_text(left) + " = " +
               notation::typed_text(right);

@@ -46,7 +46,7 @@ public:
     if (prove()) {
       verdict.answer = Answer::Equal;
       add_conditions();
-      if (given.empty()) verdict.theorem = certified(left, right, needs);
+      if (given.empty()) verdict.theorem = certified(left, right, needs, domain);
       if (!verdict.theorem.empty()) verdict.proof += ", certified by the kernel";
       return verdict;
     }

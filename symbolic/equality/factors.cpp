@@ -54,10 +54,6 @@ std::map<Expr, Generator> generators(const Sum& sum) {
   }
   return out;
 }
-int whole(const cln::cl_RA& q) {
-  if (cln::abs(q) > 100000) throw TooLarge("an exponent above 100000");
-  return cln::cl_I_to_int(cln::numerator(q));
-}
 cln::cl_RA content(const Sum& sum) {
   cln::cl_RA out = 0;
   for (const auto& [product, q] : sum) out = common_divisor(out, q);
@@ -65,6 +61,10 @@ cln::cl_RA content(const Sum& sum) {
 }
 }  // namespace
 
+int whole(const cln::cl_RA& q) {
+  if (cln::abs(q) > 100000) throw TooLarge("an exponent above 100000");
+  return cln::cl_I_to_int(cln::numerator(q));
+}
 std::vector<std::pair<Polynomial, int>> factorized(const Polynomial& p) {
   int degree = 0;
   for (const auto& [monomial, q] : p) {

@@ -52,6 +52,9 @@ struct TooLarge : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The numerator. Throws TooLarge above 100,000.
+int whole(const cln::cl_RA& q);
+
 /// What a term needs to have a value.
 enum class Need { NotZero, NotNegative, Positive };
 struct Requirement {
@@ -62,9 +65,10 @@ struct Requirement {
 /// Of the term and all of its parts, inner ones first, each once.
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
 std::string text(const Requirement& r);  ///< "x - 1 != 0"
-/// "x >= 0 |- sqrt(x)^2 = x", which the kernel proves from what the terms need; "" where that is
-/// not found, or not all of +, *, quotients and square roots.
-std::string certified(Expr left, Expr right, const std::vector<Requirement>& needs);
+/// "x >= 0 |- sqrt(x)^2 = x", which the kernel proves from what the terms need, what the domain
+/// says, and what other roots are: "(2^(1/3))^3 = 2"; "" where that is not found, or not all of +,
+/// *, quotients, roots and sines of parts of pi.
+std::string certified(Expr left, Expr right, std::vector<Requirement> needs, const Domain& domain);
 /// Where a term is 0 that is linear in x, with a number as its coefficient.
 std::optional<Expr> zero_of(Expr term, Expr x);
 /// And where it may be 0, if it is quadratic in x, or has a sine or cosine of it.
