@@ -174,11 +174,10 @@ void collapse_from_any_start(Book& book) {
             follows(imp(le(nearing(j), 0), le(nearing(j + 1), 0)),
                     {sign, at(sign, {{j, j + 1}}), discharge(over.conclusion(), ended)}));
   const Exprs ending = endless + Exprs{lt(0, left(speed))};
-  const auto name = [&](const char* symbol, Expr value, const char* words) {
-    return book.define(symbol, any_start() + Exprs{d_A, d_B}, value, ending, words);
-  };
+  const Names names{book, any_start() + Exprs{d_A, d_B}, ending};
   know(linear(lt(0, left(speed)), least));
-  const Theorem time = name("t_any", (d_A + d_B * r_e() * y_e) / left(speed), "There is a time");
+  const Theorem time =
+      names.name("t_any", (d_A + d_B * r_e() * y_e) / left(speed), "There is a time");
   const auto shown = [&](const char* id, const char* words, const Theorem& theorem) {
     book.show(id, words, under(endless, theorem));
   };
@@ -198,8 +197,9 @@ void collapse_from_any_start(Book& book) {
   shown("come_together", "and the blocks come arbitrarily close to each other,",
         linear(le((j + 1) * r * D, bound), {times(rises, is_near), weighed}));
   const auto centre = [&](Expr A, Expr C) { return w_B * (M_A * A + M_C * C) / mass_of_all(); };
-  const Theorem x_is = name("x_any", centre((V + W) * left(time) - d_A - d_B, W * left(time) - d_B),
-                            "with the ball between them: at the centre of mass, or at the wall,");
+  const Theorem x_is =
+      names.name("x_any", centre((V + W) * left(time) - d_A - d_B, W * left(time) - d_B),
+                 "with the ball between them: at the centre of mass, or at the wall,");
   const Theorem v_is =
       book.define("v_any", any_start(), centre(V + W, W), of_wedge({}), "which moves with");
   const Theorem kept = solved_for(any_velocity("B", j), book["any_start.momentum"]);

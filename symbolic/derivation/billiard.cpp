@@ -88,11 +88,10 @@ void unfolded(Book& book) {
       tautology(lt(0, here(U(j))), {lossless(book, "motion.takes_place"), assume(going)});
   const Expr sine = sin((j + 1) * h);
   know(takes_place);
-  const auto named = [&](const char* name, Expr of, Expr value, const char* words) {
-    return book.define(name, {M_A, w_B, M_C, of}, value, of_wedge({}), words);
-  };
-  const Theorem L_is = named("scaled_L", L, unit * L, "With the distance at first");
-  const Theorem V_is = named("scaled_V", V, unit * V * (r_A() / r_B()), "and the speed");
+  const Theorem L_is = book.define("scaled_L", {M_A, w_B, M_C, L}, unit * L, of_wedge({}),
+                                   "With the distance at first");
+  const Theorem V_is = book.define("scaled_V", {M_A, w_B, M_C, V}, unit * V * (r_A() / r_B()),
+                                   of_wedge({}), "and the speed");
   const Expr first = left(L_is), speed = left(V_is);
   book.show("speed", "which is that of the energy without that of the centre of mass,",
             equation(power(speed, 2), M_A * power(V, 2) - w_B * power(M_A * V, 2) / all,

@@ -5,22 +5,21 @@
 
 namespace derivation {
 namespace {
-const Expr from_0 = le(0, j);
 Expr U_x(Expr i) { return U(i, x); }
 Expr last(Expr i) { return fun("U_last", {x, i}); }
 }  // namespace
 
 void chebyshev(Book& book) {
-  book.chapter("chebyshev", "Chebyshev's polynomials", {from_0});
+  book.chapter("chebyshev", "Chebyshev's polynomials", {j_from_0});
   const Theorems def =
-      defined_by_recursion({"U", "U_last"}, {x}, j, {from_0}, {1, 0}, [](const Exprs& before) {
+      defined_by_recursion({"U", "U_last"}, {x}, j, {j_from_0}, {1, 0}, [](const Exprs& before) {
         return Exprs{2 * x * before[0] - before[1], before[0]};
       });
   const Theorem after = at(def[2]), last_after = at(def[3]);
   const Theorem first = restate(eq(U_x(0), 1), def[0]);
   const Theorem second =
       equation(U_x(1), 2 * x, {canonical_form(at(def[2], {{j, 0}})), def[0], def[1]});
-  book.show("start", "The polynomials U_j are", under({from_0}, both({first, second})));
+  book.show("start", "The polynomials U_j are", under({j_from_0}, both({first, second})));
   const Theorem next = book.show(
       "next", "and on by the rule",
       equation(U_x(j + 2), 2 * x * U_x(j + 1) - U_x(j), {at(def[2], {{j, j + 1}}), last_after}));
@@ -54,14 +53,13 @@ void chebyshev(Book& book) {
       by_induction(j, eq(power(U_x(j), 2), 1 - power(last(j), 2) + 2 * x * U_x(j) * last(j)),
                    {first, def[1]}, {after, last_after});
   book.show("last", "With U_last for the one before, 0 at first,",
-            under({from_0}, both({def[1], last_after, after})));
+            under({j_from_0}, both({def[1], last_after, after})));
   book.show("neighbours", "three neighbours keep, whatever x is,",
             equation(power(U_x(j), 2) - U_x(j + 1) * last(j), 1, {after, kept}));
-  const Expr both_ways = 2 * x * power(U_x(j), 2) - 2 * U_x(j) * last(j);
   const Theorem doubled =
       by_induction(j,
                    logic_and({eq(U_x(2 * j), power(U_x(j), 2) - power(last(j), 2)),
-                              eq(U_x(2 * j + 1), both_ways)}),
+                              eq(U_x(2 * j + 1), 2 * x * power(U_x(j), 2) - 2 * U_x(j) * last(j))}),
                    {first, second, def[1]},
                    {after, last_after, at(next, {{j, 2 * j}}), at(next, {{j, 2 * j + 1}})});
   book.show("double", "those of even j are differences of squares,", part(doubled, 0));

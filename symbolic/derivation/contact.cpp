@@ -7,16 +7,14 @@ namespace derivation {
 namespace {
 /// v_1 and v_2 of two bodies of any masses.
 Theorem velocities_after(Book& book) {
-  const Expr momentum = eq(M_1 * u_1 + M_2 * u_2, M_1 * v_1 + M_2 * v_2);
   const Expr energy =
       eq(M_1 * power(u_1, 2) + M_2 * power(u_2, 2), M_1 * power(v_1, 2) + M_2 * power(v_2, 2));
-  const Expr changed = neq(v_1, u_1);
   const Exprs bodies{M_1, M_2, u_1, u_2, v_1, v_2};
   const Theorem law =
       book.show("law",
                 "A collision of bodies with masses M_1 and M_2 changes velocities u into v. It "
                 "keeps momentum and energy, and something changes:",
-                define("contact", bodies, logic_and({momentum, energy, changed}), 0));
+                define("contact", bodies, logic_and({momentum_kept, energy, neq(v_1, u_1)}), 0));
   const Theorems laws = parts({tautology(right(law), {law, assume(fun("contact", bodies))})});
   const Theorem P = laws[0], E = laws[1], changes = laws[2];
 
@@ -25,7 +23,7 @@ Theorem velocities_after(Book& book) {
       book.show("relative", "Then the relative velocity turns round:",
                 arithmetic(eq(u_1 + v_1, u_2 + v_2), {.equations = {{1, E}, {-(u_2 + v_2), P}},
                                                       .multipliers = {positive(M_1), changes}}));
-  const Exprs after = solve({momentum, relative.conclusion()}, {v_1, v_2}, {u_1, u_2});
+  const Exprs after = solve({momentum_kept, relative.conclusion()}, {v_1, v_2}, {u_1, u_2});
   const Theorems rules{solved_for(v_2, relative), solved_for(M_1 * v_1, P)};
   const Theorem velocities =
       both({book.show("v_1",
@@ -53,7 +51,7 @@ Theorem velocities_after(Book& book) {
   const Theorems facts{
       law, discharge(left(law), velocities), where(alike, equation(v_1, u_1, {w_1, assume(alike)})),
       where(stays, together),
-      where(w_2.conclusion(), equation(logic_and({momentum, energy}), {w_1, w_2}))};
+      where(w_2.conclusion(), equation(logic_and({momentum_kept, energy}), {w_1, w_2}))};
   book.show(
       "exists",
       "Conversely, these velocities keep momentum and energy, and something changes where the "
@@ -71,9 +69,7 @@ void show_angle(Book& book, const Theorem& is, const Theorems& hypotenuse, Expr 
     return book.show(of + angle.name(), "table:trig", words, theorem);
   };
   const auto at_half = [&](const char* axiom_name) {
-    Theorem out = rewrite(half, at(axiom_name, {{x, t}}));
-    for (const Theorem& rule : hypotenuse) out = rewrite(rule, out);
-    return out;
+    return rewritten(hypotenuse, rewrite(half, at(axiom_name, {{x, t}})));
   };
   const Theorems of_half{show("cos_half_", "Its half is an arctangent,", at_half("cos atan")),
                          show("sin_half_", "and", at_half("sin atan"))};

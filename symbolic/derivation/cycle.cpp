@@ -5,8 +5,6 @@
 
 namespace derivation {
 namespace {
-const Expr from_1 = le(1, n);
-
 /// The velocities that the chapter before gives for a block with u and the ball with w.
 struct Collision {
   Expr block_after, ball_after;
@@ -100,7 +98,7 @@ void uniqueness(Book& book) {
 void cycle(Book& book) {
   const Theorem law = book["ball.velocities"];
   const Collision collide{left(law).arg(1), right(law).arg(1)};
-  book.chapter("cycle", "The motion, cycle by cycle", {alpha_positive, from_1});
+  book.chapter("cycle", "The motion, cycle by cycle", {alpha_positive, n_from_1});
   const Theorems all_steps = sequence(book, collide);
 
   // The paper's names: the n-th cycle is collisions 2n - 2 (P_n) and 2n - 1 (Q_n).
@@ -155,22 +153,21 @@ void cycle_matrix(Book& book) {
   book.show("at_Q", "eq:abcp-n", "and",
             equation(column({b(n), s * c_prime(n)}), times(Gamma(), column({b(n - 1), s * c(n)})),
                      moved));
-  const Exprs domain{alpha_positive};
   const Theorem of_P =
       book.name("Gamma_A", {alpha},
                 matrix(3, {entry_of_gamma(0, 0), 0, entry_of_gamma(0, 1), 0, 1, 0,
                            entry_of_gamma(1, 0), 0, entry_of_gamma(1, 1)}),
-                domain, "For all three velocities the collision at P_n leaves B alone,");
+                {alpha_positive}, "For all three velocities the collision at P_n leaves B alone,");
   const Theorem of_Q = book.name("Gamma_B", {alpha},
                                  matrix(3, {1, 0, 0, 0, entry_of_gamma(0, 0), entry_of_gamma(0, 1),
                                             0, entry_of_gamma(1, 0), entry_of_gamma(1, 1)}),
-                                 domain, "and that at Q_n leaves A alone:");
+                                 {alpha_positive}, "and that at Q_n leaves A alone:");
   Expr in_alpha = times(right(of_Q), right(of_P));
   for (int row = 0; row < 2; ++row)
     for (int col = 0; col < 2; ++col)
       in_alpha = replace(in_alpha, entry_of_gamma(row, col), entry(right(gamma), row, col));
-  const Theorem of_cycle =
-      book.name("Lambda", {alpha}, simplified(in_alpha), domain, "Multiplied out, a cycle is");
+  const Theorem of_cycle = book.name("Lambda", {alpha}, simplified(in_alpha), {alpha_positive},
+                                     "Multiplied out, a cycle is");
   const Theorems all_rules{of_cycle, of_P, of_Q, gamma};
   book.show("Lambda_product", "eq:Lam-G-G Lam-GAM", "the product of both,",
             equation(Lambda(), times(Gamma_B(), Gamma_A()), all_rules));

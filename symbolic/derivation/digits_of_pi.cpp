@@ -19,8 +19,7 @@ void digits_of_pi(Book& book) {
   const Expr T = real("T");
   const Known large({assume(le(1, T))});
   const auto here = [&](const char* id) {
-    const Substitution masses{{M_A, power(T, 2)}, {w_B, 0}, {M_C, 1}, {e, 1}};
-    return at(book[id], masses);
+    return at(book[id], {{M_A, power(T, 2)}, {w_B, 0}, {M_C, 1}, {e, 1}});
   };
   const Theorem kappa_is = here("wedge.kappa"), r = here("wedge.r_A");
   const Expr kappa = left(kappa_is), share = right(r).arg(0);

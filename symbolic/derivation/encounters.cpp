@@ -45,25 +45,22 @@ void encounters(Book& book) {
 
   const Theorem going = at(part(book["counting.happens"], 0));
   know(book.show("going", "and positive:", linear(lt(0, in_paper(closing(j))), {going, speed})));
-  const auto name = [&](const char* symbol, Expr value) {
-    return defined(symbol, {alpha, V, L, j}, value, assumptions);
-  };
-  const Theorem when = name("when", in_paper(at_collision("time", j)));
-  const Theorem distance = name("apart", in_paper(apart(j)));
+  const Exprs params{alpha, V, L, j};
+  const Theorem when = defined("when", params, in_paper(at_collision("time", j)), assumptions);
+  const Theorem distance = defined("apart", params, in_paper(apart(j)), assumptions);
   book.show("definitions",
             "Collision j takes place at the time when_j, with the blocks apart_j from each other:",
             under(assumptions, both({when, distance})));
-  const auto of_motion = [&](const char* id) { return in_paper(book[id]); };
   const Theorem positive_sine =
       tautology(lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going});
   know(restate(lt(0, sine(j + 1)), positive_sine));
   know(positive(rules[2]));
   book.show("when", "For a collision that takes place that is",
             equation(left(when), L / V * (sine(j) / sine(j + 1)),
-                     rules + Theorems{when, of_motion("places.time")}));
+                     rules + Theorems{when, in_paper(book["places.time"])}));
   book.show("apart", "and",
             equation(left(distance), L * (sin(half()) / sine(j + 1)),
                      rules + Theorems{distance, solved_for(in_paper(at_collision("x_B", j)),
-                                                           of_motion("places.distance"))}));
+                                                           in_paper(book["places.distance"]))}));
 }
 }  // namespace derivation

@@ -12,11 +12,9 @@ void ends(Book& book) {
   know(scaled(le(1, N), lt(h, pi() / 2), 1 / h, {number}));
   for (const Expr i : {N - 1, N}) know(at(book["wedge.signs"], {{j, i}}));
 
-  const auto named = [&](const char* name, Expr value, const char* words) {
-    return book.define(name, at_rest(), value, assumptions, words);
-  };
+  const Names names{book, at_rest(), assumptions};
   const Theorem rest_is =
-      named("delta_e", pi() - N * h, "The last collision leaves of half a turn");
+      names.name("delta_e", pi() - N * h, "The last collision leaves of half a turn");
   const Expr rest = left(rest_is);
   know(book.show("rest", "an angle that is not above that of the wedge:",
                  both({scaled(lt(0, rest), lt(N, pi() / h), h, {number, rest_is}),
@@ -26,9 +24,10 @@ void ends(Book& book) {
   };
   const Expr last_side = is_Q(N) + is_P(N) * (r_A() / r_B());
   const Theorem parting_is =
-      named("parting_e", sqrt(e) * size(last_side, rest), "The last two bodies part with");
-  const Theorem opening_is = named("opening_e", size(side(N), h - rest),
-                                   "and the ball leaves the third body, or rests with it, with");
+      names.name("parting_e", sqrt(e) * size(last_side, rest), "The last two bodies part with");
+  const Theorem opening_is =
+      names.name("opening_e", size(side(N), h - rest),
+                 "and the ball leaves the third body, or rests with it, with");
   const Expr parting = left(parting_is), opening = left(opening_is);
   // Collision N - 1 is the last, and there is no collision N.
   const auto after = [&](const Theorem& t) { return canonical_form(at(t, {{j, N - 1}})); };

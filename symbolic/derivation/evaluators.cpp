@@ -4,8 +4,6 @@
 
 namespace derivation {
 namespace {
-const Expr from_0 = le(0, n);
-
 Angle angle(Book& book) {
   const Names names{book, {alpha}, {alpha_positive}};
   const Theorem above = names.name("above", 2 + alpha, "With");
@@ -44,7 +42,7 @@ Angle angle(Book& book) {
 
 /// Both velocities after P_n and both after Q_n, from one sine and one cosine.
 void velocities(Book& book, const Angle& a) {
-  const Names f{book, {alpha, n}, {alpha_positive, from_0}};
+  const Names f{book, {alpha, n}, {alpha_positive, n_from_0}};
   const Theorem def_x = f.name("phase", 2 * of_alpha("half_h") * n, "With");
   const auto at_angle = [&](const std::string& name, Expr value) {
     return rewrite(a.quarter, rewrite(def_x, f.name(name, value)));
@@ -133,7 +131,7 @@ void heavy_ball(Book& book) {
 }  // namespace
 
 void evaluators(Book& book) {
-  book.chapter("evaluators", "Forms for evaluation", {alpha_positive, from_0});
+  book.chapter("evaluators", "Forms for evaluation", {alpha_positive, n_from_0});
   const Angle a = angle(book);
   velocities(book, a);
   terminal_forms(book, a);

@@ -30,8 +30,7 @@ void collision_forms(Book& book, const Angle& a) {
 
   const Expr T = of_alpha("t"), q = of_alpha("half_h"), quarter = psi() / 4;
   const Names of_j{book, {alpha, j}, {alpha_positive, le(0, j)}};
-  const Theorem phase = of_j.name("half_phase", q * j, "With");
-  const Theorem phase_is = rewrite(a.quarter, phase);
+  const Theorem phase_is = rewrite(a.quarter, of_j.name("half_phase", q * j, "With"));
   const Expr angle = right(phase_is);
   Theorems parts{a.tangent};
   const auto name = [&](const std::string& symbol, Expr value) {

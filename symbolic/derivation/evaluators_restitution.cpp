@@ -104,11 +104,10 @@ void velocities(Book& book, Names& f, const Theorem& step) {
   const Expr gained = name("gained_e", 1 + name("moved_e", speeds + M_C * second));
   const Expr taken_by_B = w_B * name("taken_e", gained / left(all_are));
 
+  const Theorems terms{turned(step), rest, turned(next), book["evaluators_restitution.sine"],
+                       book["evaluators_restitution.sides"]};
   const auto speed = [&](const char* id, Expr form) {
-    Theorem is = at_1(book[id]);
-    for (const Theorem& t : {turned(step), rest, turned(next), book["evaluators_restitution.sine"],
-                             book["evaluators_restitution.sides"]})
-      is = rewrite(t, is);
+    const Theorem is = rewritten(terms, at_1(book[id]));
     return equation(left(is), V * form, names + Theorems{is});
   };
   const Theorems ends = names +

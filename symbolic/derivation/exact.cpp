@@ -8,11 +8,6 @@ namespace {
 const Expr m = integer("m");
 Expr T(Expr index) { return fun("T_", {alpha, index}); }
 Expr angle(Expr index) { return index * psi() / 2; }
-
-/// |- T_index = cos(term)
-Theorem cosine_at(const Theorem& definition, Expr index, Expr term) {
-  return restate(eq(T(index), cos(term)), at(definition, {{m, index}}));
-}
 }  // namespace
 
 void exact_forms(Book& book) {
@@ -20,9 +15,12 @@ void exact_forms(Book& book) {
   const Theorem cos_half = book["rotation.cos_half_psi"];
   const Theorem definition =
       book.define("T_", {alpha, m}, cos(angle(m)), {alpha_positive}, "The cosine of m half-angles");
-  const auto at_index = [&](Expr index) { return cosine_at(definition, index, angle(index)); };
-  const Theorem first = cosine_at(definition, 1, psi() / 2);
-  book.show("T_0", "starts with", chain(cosine_at(definition, 0, 0), axiom("cos 0")));
+  const auto T_is = [&](Expr index, Expr term) {
+    return restate(eq(T(index), cos(term)), at(definition, {{m, index}}));
+  };
+  const auto at_index = [&](Expr index) { return T_is(index, angle(index)); };
+  const Theorem first = T_is(1, psi() / 2);
+  book.show("T_0", "starts with", chain(T_is(0, 0), axiom("cos 0")));
   book.show("T_1", "and", chain(first, book["rotation.cos_half_psi"]));
   const Theorems rules{at_index(m), at_index(m + 1), at_index(2 * m), at_index(2 * m + 1), first};
   const Exprs bases{angle(m), psi() / 2};
@@ -31,7 +29,6 @@ void exact_forms(Book& book) {
   book.show("T_odd",
             "and to one more:", equation(T(2 * m + 1), 2 * T(m) * T(m + 1) - T(1), rules, bases));
   const Expr d = 1 + alpha, last = n + rational(1, 2);
-  const auto T_is = [&](Expr index, Expr term) { return cosine_at(definition, index, term); };
   const Theorem even = T_is(2 * n, n * psi()), odd = T_is(2 * n + 1, last * psi());
   book.show("a", "gives the velocities: of A,",
             equation(a(n), V_CM() * (1 + d * T(2 * n)), {book["power.a"], even, cos_half}));
@@ -47,8 +44,7 @@ void exact_forms(Book& book) {
   book.show(
       "b_before", "that is,",
       equation(earlier, V_CM() * (1 - 2 * T(2 * n) + d * T(2 * n + 1)),
-               {before, at(book["power.b"], {{n, n - 1}}, {assume(le(1, n))}), even, odd, cos_half},
-               {n * psi(), psi() / 2}));
+               {before, one_before(book["power.b"]), even, odd, cos_half}, {n * psi(), psi() / 2}));
   book.show("c", "and C after P_n",
             equation(c(n), (V - a(n) - earlier) / alpha,
                      {before, solved_for(a(n), book["terminal.momentum_P"])}));

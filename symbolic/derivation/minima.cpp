@@ -62,11 +62,10 @@ void together(Book& book) {
       "coupled", "Where B and C end with the same velocity, two equations are left,",
       both({linear(eq((1 + alpha) * b_t() + a_t(), V), {momentum}),
             linear(eq((1 + alpha) * power(b_t(), 2) + power(a_t(), 2), power(V, 2)), {energy})}));
-  const Expr rest = V - (1 + alpha) * b_t();
   // (1 + alpha) b ((2 + alpha) b - 2V) = 0
   const Theorem fast = certified(
       eq(b_t(), 2 * V / (2 + alpha)),
-      {.equations = {{1, part(coupled, 1)}, {-(rest + a_t()), part(coupled, 0)}},
+      {.equations = {{1, part(coupled, 1)}, {-(V - (1 + alpha) * b_t() + a_t()), part(coupled, 0)}},
        .multipliers = {positive(2 + alpha), positive(1 + alpha), part(book["terminal.order"], 2)}});
   book.show(
       "together", "eq:defb-terminal", "with one solution in which B moves:",

@@ -17,8 +17,6 @@ Expr term(Expr of, Expr index, Expr sign_of) {
 Expr even(Expr of, Expr e) { return term(of, 2 * e, e); }
 Expr odd(Expr of, Expr e) { return term(of, 2 * e + 1, e); }
 
-const Expr from_0 = le(0, j);
-
 struct Sums {
   Theorem pow_next(Expr base, Expr e) const { return at(powers[1], {{y, base}, {j, e}}); }
   Theorem choose_next(Expr of, Expr e) const { return at(coefficients[1], {{n, of}, {j, e}}); }
@@ -28,7 +26,7 @@ struct Sums {
         j, eq(choose(n + 1, j + 1), choose(n, j + 1) + choose(n, j)),
         {choose_next(n + 1, 0), choose_next(n, 0), at(coefficients[0], {{n, n + 1}}),
          coefficients[0]},
-        {choose_next(n + 1, j + 1), choose_next(n, j + 1), choose_next(n, j), assume(from_0)});
+        {choose_next(n + 1, j + 1), choose_next(n, j + 1), choose_next(n, j), assume(j_from_0)});
   }
   /// 0 <= of, of < e |- choose(of, e) = 0
   Theorem none(Expr of, Expr e, const Theorems& facts = {}) const {
@@ -46,12 +44,12 @@ struct Sums {
     return tautology(eq(l, r), {given(le(i, n), inside), given(lt(n, i), outside)});
   }
   const Theorems powers = defined_by_recursion(
-      {"pow"}, {y}, j, {from_0}, {1}, [](const Exprs& before) { return Exprs{y * before[0]}; });
+      {"pow"}, {y}, j, {j_from_0}, {1}, [](const Exprs& before) { return Exprs{y * before[0]}; });
   const Theorems coefficients = defined_by_recursion(
-      {"choose"}, {n}, j, {from_0}, {1},
+      {"choose"}, {n}, j, {j_from_0}, {1},
       [](const Exprs& before) { return Exprs{before[0] * (n - j) / (j + 1)}; });
   const Theorems sums =
-      defined_by_recursion({"cos_sum", "sin_sum"}, {x, n}, j, {le(0, n), from_0},
+      defined_by_recursion({"cos_sum", "sin_sum"}, {x, n}, j, {le(0, n), j_from_0},
                            {even(n, 0), odd(n, 0)}, [](const Exprs& before) {
                              return Exprs{before[0] + even(n, j + 1), before[1] + odd(n, j + 1)};
                            });
@@ -135,13 +133,13 @@ void multiples(Book& book) {
   know(linear(le(0, half), {half_is}));
   book.show("cos", "sec:nx", "The cosine of n x is the first sum, up to n/2,",
             part(at(are, {{m, half}}, {half_is}), 0));
-  const Theorem from_1 = assume(le(1, n)), n_from_0 = linear(le(0, n), {from_1});
+  const Theorem from_1 = assume(n_from_1), from_0 = linear(le(0, n), {from_1});
   know(linear(le(0, less), {less_is, from_1}));
   const Theorem reaches = linear(le(n, 2 * less + 2), {less_is});
   const Theorem longer = part(at(are, {{m, less + 1}}, {reaches}), 1);
-  const Theorem zero = cut(n_from_0, s.none(n, 2 * less + 3, {reaches}));
+  const Theorem zero = cut(from_0, s.none(n, 2 * less + 3, {reaches}));
   const Theorem last = at(s.sums[3], {{j, less}});
   book.show("sin", "sec:nx", "and its sine the second one, up to (n - 1)/2:",
-            equation(sin(n * x), sin_sum(n, less), {cut(n_from_0, longer), last, zero}));
+            equation(sin(n * x), sin_sum(n, less), {cut(from_0, longer), last, zero}));
 }
 }  // namespace derivation

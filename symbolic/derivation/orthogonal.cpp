@@ -16,10 +16,6 @@ Expr cofactor(Expr m, int i, int l) {
   return at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1);
 }
 Expr gram(Expr o) { return times(transpose(o), o); }
-Theorem rewritten(const Theorems& equations, Theorem t) {
-  for (const Theorem& e : equations) t = rewrite(e, t);
-  return t;
-}
 /// l = r by steps: each is the product before it, written so that an equation rewrites a part.
 Theorem calculation(Expr l, Expr r, const std::vector<std::pair<Expr, Theorem>>& steps) {
   Theorem out = equation(l, l);

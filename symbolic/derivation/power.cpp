@@ -4,8 +4,6 @@
 
 namespace derivation {
 namespace {
-const Expr from_0 = le(0, n), from_1 = le(1, n);
-
 void powers_of_lambda(Book& book) {
   const auto turned_by = [&](Expr angle) { return at(book["rotation.lambda_3"], {{x, angle}}); };
   book.show("angles_add", "Rotations about one axis add their angles:",
@@ -59,7 +57,7 @@ Theorems quarter_rules(Book& book) {
 }  // namespace
 
 void powers(Book& book) {
-  book.chapter("power", "The velocities", {alpha_positive, from_0});
+  book.chapter("power", "The velocities", {alpha_positive, n_from_0});
   powers_of_lambda(book);
 
   // Multiplied out.
@@ -82,7 +80,6 @@ void powers(Book& book) {
   multiplied("c_prime_multiplied", "and C has", c_prime(n), 2, sqrt(alpha));
 
   const Theorems common = quarter_rules(book);
-  const Exprs halves{n * psi(), half()};
   const Expr middle = V_CM();
   const Theorem a_n =
       book.show("a", "eq:a-final", "A after its n-th collision, as the paper has it:",
@@ -90,7 +87,7 @@ void powers(Book& book) {
   const Theorem b_n =
       book.show("b", "eq:b-final", "B after its n-th collision:",
                 equation(b(n), middle * (1 - cos((n + rational(1, 2)) * psi()) / cos(half())),
-                         derived + common, halves));
+                         derived + common, {n * psi(), half()}));
   const auto proved = [&](Expr l, Expr r, const Theorems& forms) {
     return cancel(eq(l, r), {positive(sin(quarter()))}, forms + common, {n * psi() / 2, quarter()});
   };
@@ -99,7 +96,6 @@ void powers(Book& book) {
                 proved(c_prime(n),
                        middle * (1 - sin((n + rational(1, 4)) * psi()) / sin(quarter())), derived));
   const Theorems finals{a_n, b_n, c_prime_n};
-  const auto one_before = [&](const Theorem& t) { return at(t, {{n, n - 1}}, {assume(from_1)}); };
   const Expr c_form = middle * (1 + sin((n - rational(1, 4)) * psi()) / sin(quarter()));
   const Theorem c_from_1 =
       proved(c(n), c_form, {part(book["cycle.P"], 1), one_before(a_n), one_before(c_prime_n)});
@@ -109,7 +105,7 @@ void powers(Book& book) {
   const Theorem c_n =
       book.show("c", "eq:c-final", "C after its n-th collision with A (before the first it rests):",
                 follows(eq(c(n), c_form), {where_equal(n, 0, eq(c(n), c_form), c_at_0),
-                                           given(lt(0, n), later), assume(from_0)}));
+                                           given(lt(0, n), later), assume(n_from_0)}));
 
   // Products.
   const Expr up = (n + rational(1, 2)) * half(), down = (n - rational(1, 2)) * half(),

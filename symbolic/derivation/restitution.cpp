@@ -7,7 +7,6 @@ namespace derivation {
 namespace {
 const Expr w_2 = real("w_2");
 const Expr relative = eq(v_2 - v_1, e*(u_1 - u_2));
-const Expr momentum_kept = eq(M_1 * u_1 + M_2 * u_2, M_1* v_1 + M_2 * v_2);
 /// With the inverse mass of the second body.
 const Expr shared = eq(w_2 * M_1 * u_1 + u_2, w_2* M_1* v_1 + v_2);
 /// The velocities after a collision with restitution e, solved for.

@@ -19,8 +19,7 @@ Exprs axis_of(Expr rotation_matrix) {
   const Expr image = times(rotation_matrix, column(direction));
   Exprs rows;
   for (int i = 0; i < 3; ++i) rows.push_back(eq(entry(image, i, 0), direction[std::size_t(i)]));
-  const Exprs solution = solve(rows, {p, q});
-  return {1, solution[0], solution[1]};
+  return Exprs{1} + solve(rows, {p, q});
 }
 
 void angle(Book& book, Expr lambda) {

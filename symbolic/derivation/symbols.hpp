@@ -17,8 +17,10 @@ inline const Expr y = real("y");
 /// Masses of two bodies, of a block, and velocities before and after a collision.
 inline const Expr M_1 = real("M_1"), M_2 = real("M_2"), M = real("M");
 inline const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");
+inline const Expr momentum_kept = eq(M_1 * u_1 + M_2 * u_2, M_1* v_1 + M_2 * v_2);
 inline const Expr alpha_positive = lt(0, alpha);
 inline const Expr V_positive = lt(0, V);
+inline const Expr n_from_0 = le(0, n), n_from_1 = le(1, n), j_from_0 = le(0, j);
 
 inline Expr rational(int p, int q) { return Expr(cln::cl_RA(p) / q); }
 /// After j collisions: the velocities of A, B and C; whose turn it is, 1 for P and -1 for Q.
@@ -61,10 +63,17 @@ inline Expr identity(int size) {
 }
 inline Expr column(const Exprs& entries) { return matrix(1, entries); }
 
+/// The same with each equation's left side replaced by its right one, in their order.
+inline Theorem rewritten(const Theorems& equations, Theorem t) {
+  for (const Theorem& e : equations) t = rewrite(e, t);
+  return t;
+}
 /// The same statement with arguments such as n - 1 + 1 computed.
 inline Theorem canonical_form(const Theorem& t) {
   return restate(kernel::canonical(t.conclusion()), t);
 }
+/// What is so from 0 on at n - 1, from 1 on.
+inline Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}, {assume(n_from_1)}); }
 /// Shows cosine and sine of half of an angle and of it, from |- angle = 2 atan(t) and what
 /// rewrites sqrt(1 + t^2).
 void show_angle(Book& book, const Theorem& is, const Theorems& hypotenuse, Expr cosine, Expr sine);

@@ -46,9 +46,8 @@ void table(Book& book) {
   const auto show_where = [&](const std::string& name, Expr angle, Expr numerator, Expr d,
                               Expr above, const Theorems& values) {
     const Theorem moves = assume(neq(numerator, 0));
-    const Theorem product = equation(d * cos(angle), numerator, values);
     const Theorem none = given(eq(cos(angle), 0), [&](const Theorem& is_0) {
-      return linear(eq(numerator, 0), {rewrite(is_0, product)});
+      return linear(eq(numerator, 0), {rewrite(is_0, equation(d * cos(angle), numerator, values))});
     });
     const Theorem divisor = tautology(neq(cos(angle), 0), {none, moves});
     know(divisor);

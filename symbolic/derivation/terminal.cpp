@@ -4,11 +4,6 @@
 
 namespace derivation {
 namespace {
-const Expr from_1 = le(1, n);
-
-/// A theorem under 0 <= n, a cycle earlier.
-Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}); }
-
 void kept_quantities(Book& book) {
   const Theorems velocities{book["power.a_multiplied"], book["power.b_multiplied"],
                             book["power.c_prime_multiplied"]};
@@ -111,7 +106,7 @@ void recoil(Book& book) {
 }  // namespace
 
 void terminal(Book& book) {
-  book.chapter("terminal", "Terminal velocities", {alpha_positive, V_positive, from_1});
+  book.chapter("terminal", "Terminal velocities", {alpha_positive, V_positive, n_from_1});
   kept_quantities(book);
   const Theorems approaches{
       restate(eq(approach(2 * n - 2), a(n - 1) - c_prime(n - 1)),
@@ -119,13 +114,11 @@ void terminal(Book& book) {
       restate(eq(approach(2 * n - 1), c(n) - b(n - 1)), one_before(book["counting.approach_Q"]))};
   on_the_way(book, approaches);
   const Exprs domain{alpha_positive, V_positive};
-  Theorems definitions;
   const auto named = [&](const std::string& name, Expr value) {
-    definitions.push_back(defined(name, {alpha, V}, value, domain));
+    return defined(name, {alpha, V}, value, domain);
   };
-  named("a_t", a(N_A()));
-  named("b_t", b(N_B()));
-  named("c_t", (V - a_t() - b_t()) / alpha);
+  const Theorem a_is = named("a_t", a(N_A())), b_is = named("b_t", b(N_B()));
+  const Theorems definitions{a_is, b_is, named("c_t", (V - a_t() - b_t()) / alpha)};
   book.show("definitions", "eq:ct",
             "The terminal velocities, that of C from momentum:", under(domain, both(definitions)));
   const auto show_form = [&](const std::string& name, const std::string& label,

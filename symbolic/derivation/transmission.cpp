@@ -5,7 +5,7 @@
 
 namespace derivation {
 namespace {
-const Expr from_1 = le(1, n), e_more = real("e'");
+const Expr e_more = real("e'");
 
 /// What each collision takes from the energy, and all of them together.
 void energy(Book& book) {
@@ -63,20 +63,19 @@ Theorems names_of_paper(Book& book) {
     return book.name(name, {alpha, V, e, n}, substitute(velocity(body, i), blocks_of_paper),
                      {alpha_positive, from}, words);
   };
-  const Expr from_0 = le(0, n);
-  return {named("a_e", "A", 2 * n, from_0,
+  return {named("a_e", "A", 2 * n, n_from_0,
                 "For blocks of mass 1 and a ball of mass alpha: the velocities of A,"),
-          named("b_e", "B", 2 * n, from_0, "of B"),
-          named("c_e'", "C", 2 * n, from_0, "and of the ball after n cycles,"),
-          named("c_e", "C", 2 * n - 1, from_1, "and the ball's within the n-th.")};
+          named("b_e", "B", 2 * n, n_from_0, "of B"),
+          named("c_e'", "C", 2 * n, n_from_0, "and of the ball after n cycles,"),
+          named("c_e", "C", 2 * n - 1, n_from_1, "and the ball's within the n-th.")};
 }
 /// The laws of P_n and Q_n in these names.
 void equations_of_paper(Book& book, const Theorems& names) {
-  const Theorem from = assume(from_1);
-  const auto earlier = [&](const Theorem& t) { return at(t, {{n, n - 1}}, {from}); };
+  const Theorem from = assume(n_from_1);
   Theorems rules = names;
-  for (const Theorem& t : parts({earlier(book["cycle.turns"])})) rules.push_back(canonical_form(t));
-  for (std::size_t i = 0; i < 3; ++i) rules.push_back(earlier(names[i]));
+  for (const Theorem& t : parts({one_before(book["cycle.turns"])}))
+    rules.push_back(canonical_form(t));
+  for (std::size_t i = 0; i < 3; ++i) rules.push_back(one_before(names[i]));
   for (const Theorem& law : parts({book["motion.next"]}))
     for (const Expr i : {2 * n - 2, 2 * n - 1})
       rules.push_back(canonical_form(for_blocks(law, {{j, i}}, {from})));
@@ -93,8 +92,7 @@ void equations_of_paper(Book& book, const Theorems& names) {
 /// b_n(e) < b_n(e') |- the same of rho, where they differ by `factor`, a positive term.
 void rises(Book& book, const std::string& name, const std::string& words, const Theorem& is,
            Expr factor) {
-  const Substitution more{{e, e_more}};
-  const Theorem is_more = at(is, more);
+  const Theorem is_more = at(is, {{e, e_more}});
   const Expr b_n = left(is), b_more = left(is_more);
   const Expr difference = V * alpha / power(1 + alpha, 2) * (e_more - e) * factor;
   const Theorem larger = positive(equation(b_more - b_n, difference, {is, is_more}));

@@ -31,11 +31,7 @@ void until_the_next(Book& book) {
     places.push_back(place);
     named.push_back(solved_for(on_line, place));
   }
-  const auto named_in = [&](const char* id) {
-    Theorem out = from(id);
-    for (const Theorem& is : named) out = rewrite(is, out);
-    return out;
-  };
+  const auto named_in = [&](const char* id) { return rewritten(named, from(id)); };
   const Expr A = at_collision("x_A", j), B = at_collision("x_B", j), C = at_collision("x_C", j);
   know(tautology(lt(0, U(j)), {book["motion.takes_place"], going}));
   const auto is = [](Expr term, const Theorem& t) { return chain(equation(term, left(t)), t); };
