@@ -48,9 +48,6 @@ std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg
 /// The outputs that are wanted (none named: all) and the definitions those need, other outputs
 /// among them.
 Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
-  const auto is_wanted = [&](const Theorem& t) {
-    return wanted.empty() || wanted.count(output_name(t)) != 0;
-  };
   for (Case& c : q.cases) {
     std::set<Expr> live;
     const auto visit = [&](const auto& self, Expr e) -> void {
@@ -59,7 +56,9 @@ Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
     };
     // In their order: what one output needs may be another, or a value that has a guard.
     c.definitions.insert(c.definitions.end(), c.outputs.begin(), c.outputs.end());
-    std::erase_if(c.outputs, [&](const Theorem& t) { return !is_wanted(t); });
+    std::erase_if(c.outputs, [&](const Theorem& t) {
+      return !wanted.empty() && !wanted.contains(output_name(t));
+    });
     if (c.outputs.empty()) c.guards.clear();
     for (const Theorem& t : c.outputs) visit(visit, t.conclusion());
     Theorems needed;

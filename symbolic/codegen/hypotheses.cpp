@@ -82,17 +82,15 @@ std::vector<Output> outputs_of(const Case& c) {
 }
 void check_outputs(const Quantity& q) {
   if (q.cases.empty()) throw Refused(q.name + " has no case");
-  for (const Case& c : q.cases) {
-    if (outputs_of(c) == outputs_of(q.cases[0])) continue;
-    throw Refused("the cases of " + q.name + " do not have the same outputs");
-  }
+  for (const Case& c : q.cases)
+    if (outputs_of(c) != outputs_of(q.cases[0]))
+      throw Refused("the cases of " + q.name + " do not have the same outputs");
 }
 void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion) {
-  for (Expr h : hypotheses) {
-    if (holds(d, h)) continue;
-    throw Refused("the intervals do not give " + kernel::text(h) + ", which is needed for " +
-                  kernel::text(conclusion));
-  }
+  for (Expr h : hypotheses)
+    if (!holds(d, h))
+      throw Refused("the intervals do not give " + kernel::text(h) + ", which is needed for " +
+                    kernel::text(conclusion));
 }
 Expr head(const Domain& d, const Theorem& t) {
   const Expr f = t.conclusion();

@@ -174,10 +174,9 @@ std::string PlainText::right_side(int k, int binding) {
 }
 std::string PlainText::lines() {
   std::string text;
-  for (int k = 0; k < p.size(); ++k) {
-    if (!has_line(k)) continue;
-    text += commented("  const Number " + p[k].name + " = " + right_side(k) + ";", purpose(p, k));
-  }
+  for (int k = 0; k < p.size(); ++k)
+    if (has_line(k))
+      text += commented("  const Number " + p[k].name + " = " + right_side(k) + ";", purpose(p, k));
   return text;
 }
 }  // namespace codegen

@@ -49,8 +49,7 @@ void collision_forms(Book& book, const Angle& a) {
   const Theorem is_positive = assume(lt(0, cosine));
   const Theorem is_near = assume(le(of_j("half_phase"), pi() - 2 * q));
   const Theorem near = linear(le(next, pi() - quarter), {is_near, phase_is, a.quarter});
-  const Exprs bases{angle, quarter};
-  const auto times_c = [&](Expr l, Expr r) { return equation(l, r, parts, bases); };
+  const auto times_c = [&](Expr l, Expr r) { return equation(l, r, parts, {angle, quarter}); };
   const Theorem next_cosine = times_c(cos(next), cos(quarter) * cosine);
   const Theorem falls = cosine_falls(assume(le(pi() / 2, next)), {near});
   const Theorem below = otherwise(lt(next, pi() / 2), {falls, next_cosine, times(c, is_positive)});

@@ -21,15 +21,14 @@ void one_collision(Book& book) {
       define("impact", bodies, logic_and({momentum_kept, relative}), 0));
   const Theorems laws = parts({tautology(right(law), {law, assume(left(law))})});
   const Exprs after = solved(momentum_kept);
-  const Theorem v_2_is = solved_for(v_2, laws[1]);
-  const Theorem v_1_is = solved_for(M_1 * v_1, laws[0]);
-  book.show("v_1", "The velocities after it are", equation(v_1, after[0], {v_2_is, v_1_is}));
-  book.show("v_2", "and", equation(v_2, after[1], {v_2_is, v_1_is}));
+  const Theorems v_is{solved_for(v_2, laws[1]), solved_for(M_1 * v_1, laws[0])};
+  book.show("v_1", "The velocities after it are", equation(v_1, after[0], v_is));
+  book.show("v_2", "and", equation(v_2, after[1], v_is));
   const Expr lost =
       M_1 * power(u_1, 2) + M_2 * power(u_2, 2) - M_1 * power(v_1, 2) - M_2 * power(v_2, 2);
-  book.show("energy", "Twice the kinetic energy that is lost:",
-            equation(lost, (1 - power(e, 2)) * M_1 * M_2 / (M_1 + M_2) * power(u_1 - u_2, 2),
-                     {v_2_is, v_1_is}));
+  book.show(
+      "energy", "Twice the kinetic energy that is lost:",
+      equation(lost, (1 - power(e, 2)) * M_1 * M_2 / (M_1 + M_2) * power(u_1 - u_2, 2), v_is));
   // What divides by M_2 serves a wall, too.
   const Theorem wall =
       book.show("wall", "A wall stays as it is:",
@@ -43,7 +42,7 @@ void one_collision(Book& book) {
     return both({is(v_1, 0), is(v_2, 1)});
   };
   book.show("inverse_mass", "With 1/M_2 for M_2 the velocities are",
-            instance(1 / M_2, {v_2_is, v_1_is}, [](Expr t) { return t; }));
+            instance(1 / M_2, v_is, [](Expr t) { return t; }));
   book.show("at_wall", "and with 0 for 1/M_2 those of a wall:",
             instance(0, {solved_for(v_1, of_wall[1]), of_wall[0]}, [](Expr t) {
               return simplified(t, {u_1, u_2});

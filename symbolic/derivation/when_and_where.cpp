@@ -11,23 +11,21 @@ void until_the_next(Book& book) {
   const Known here;
   const Theorem going = assume(lt(0, closing(j)));
   know(going);
-  const Exprs params{M_A, w_B, M_C, e, V, L, j};
   const Exprs domain = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L), going.conclusion()});
+  const Names names{book, {M_A, w_B, M_C, e, V, L, j}, domain};
   know(rewrite(part(book["motion.names"], 3), going));
   const auto from = [&](const std::string& id) {
     return from_rest(book, book["any_start." + id], distances);
   };
   const Theorem when = from("instant");
-  const Theorem time =
-      book.define("time", params, left(when), domain, "Collision j takes place at the time");
+  const Theorem time = names.name("time", left(when), "Collision j takes place at the time");
   const auto shown = [&](const char* id, const char* words, const Theorem& t) {
     return book.show(id, words, under({going.conclusion()}, t));
   };
   Theorems named{turned(time)}, places;
   for (const std::string body : {"A", "B", "C"}) {
     const Expr on_line = fun("place_" + body, at_rest() + Exprs{0, 0, L, left(time), j});
-    const Theorem place =
-        book.define("x_" + body, params, L + on_line, domain, "with " + body + " at");
+    const Theorem place = names.name("x_" + body, L + on_line, "with " + body + " at");
     places.push_back(place);
     named.push_back(solved_for(on_line, place));
   }

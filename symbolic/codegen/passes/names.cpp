@@ -8,10 +8,9 @@ Program named(const Program& p) {
                               "doubt", "columns", "row", "in", "tested"};
   for (const Result& out : p.results)
     if (out.kind == Result::real && p[out.node].name != out.name) taken.insert(out.name);
-  for (const Node& n : p.nodes) {
-    if (n.name.empty()) continue;
-    if (!taken.insert(n.name).second) throw Refused("two values are called " + n.name);
-  }
+  for (const Node& n : p.nodes)
+    if (!n.name.empty() && !taken.insert(n.name).second)
+      throw Refused("two values are called " + n.name);
   const auto fresh = [&](const std::string& wanted, bool numbered) {
     for (int k = 1;; ++k) {
       const std::string name = wanted + (numbered || k > 1 ? std::to_string(k) : "");

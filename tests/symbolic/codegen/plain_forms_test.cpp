@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Plain, exact and matrix forms as they are generated, against the law of one collision, applied
 // again and again in rationals; each domain at its ends, from both sides.
-#include <limits>
+#include <cmath>
 
 #include <cln/float.h>
 #include <cln/real.h>
@@ -109,10 +109,8 @@ TEMPLATE_TEST_CASE("plain velocities hold at the ends that they state", "", doub
   CHECK_NOTHROW(velocities_closed(TestType(1), last));
   CHECK_THROWS_AS(velocities_closed(TestType(1), last + 1), std::domain_error);
   CHECK_THROWS_AS(velocities_closed(TestType(1), -1), std::domain_error);
-  CHECK_THROWS_AS(velocities_closed(std::numeric_limits<TestType>::quiet_NaN(), 1),
-                  std::domain_error);
-  CHECK_THROWS_AS(velocities_tangent(std::numeric_limits<TestType>::infinity(), 1),
-                  std::domain_error);
+  CHECK_THROWS_AS(velocities_closed(TestType(NAN), 1), std::domain_error);
+  CHECK_THROWS_AS(velocities_tangent(TestType(INFINITY), 1), std::domain_error);
   CHECK_NOTHROW(magic_closed<TestType>(1));
   CHECK_THROWS_AS(magic_closed<TestType>(0), std::domain_error);
   CHECK_THROWS_AS(deficient_closed<TestType>(0), std::domain_error);
@@ -132,8 +130,7 @@ TEMPLATE_TEST_CASE("matrices turn the velocities, and Lambda is Gamma_B Gamma_A 
   for (const TestType alpha :
        {TestType(0x1p-300), TestType(0.125), TestType(3), TestType(0x1p300)}) {
     const Rows whole = Lambda(alpha), by_A_and_B = times(Gamma_B(alpha), Gamma_A(alpha));
-    const TestType psi = angle_closed(alpha).psi;
-    const Rows turned = times(times(R(alpha), lambda_3(-psi)), R(alpha));
+    const Rows turned = times(times(R(alpha), lambda_3(-angle_closed(alpha).psi)), R(alpha));
     for (std::size_t i = 0; i < 9; ++i)
       for (const Rows& same : {by_A_and_B, turned})
         CHECK_THAT(double(same[i / 3][i % 3]), WithinAbs(double(whole[i / 3][i % 3]), 1e-14));

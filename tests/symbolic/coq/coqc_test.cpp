@@ -17,14 +17,13 @@ const Expr n = integer("core"), m = integer("in");
 coq::Chapter logic() {
   const Theorem equation = assume(eq(x, y + z));
   const Theorem whole = assume(all(n, lt(power(x + 1, 2), n)));
-  const Expr other = all(n, lt(1 + 2 * x + x * x, Expr(0) + n));
   const Theorem ordered = assume(logic_or({le(y + x, z), lt(x, y)}));
   return {"logic",
           {{"discharge", discharge(lt(x, y), assume(lt(x, y)))},
            {"instance", instantiate(equation, {{x, x * y}, {z, Expr(n)}})},
            {"generalized", generalize(n, discharge(lt(0, n), assume(lt(0, n))))},
            {"specialized", specialize(whole, 2 * n + power(m, 2))},
-           {"restated", restate(other, whole)},
+           {"restated", restate(all(n, lt(1 + 2 * x + x * x, Expr(0) + n)), whole)},
            {"rewritten", rewrite(equation, assume(lt(sin(x) + z, x)))},
            {"order", tautology(logic_or({logic_not(lt(z, x + y)), lt(x, y)}), {ordered})},
            {"lost", tautology(lt(x, y), {assume(lt(x, y)), axiom("discrete")})},
@@ -50,15 +49,12 @@ coq::Chapter certificates() {
            {"numbers", arithmetic(eq(Expr(1) / Expr(2) + fun("inv", {1 + Expr(1)}), 1), {})}}};
 }
 coq::Chapter definitions() {
-  const Theorem named = define("double_of", {x}, 2 * x);
   const Theorem even = define("even_of", {n}, 2 * n);
-  const Theorem small = define("is_small", {x, y}, lt(power(x, 2), y));
   const Theorem turned = define("turned", {x}, matrix(2, {cos(x), -sin(x), sin(x), cos(x)}));
   const Expr turn = fun("turned", {x});
   const Theorems counted =
       define_recursive({"count_of", "sum_of"}, {k}, n, {x, z}, {0, k}, {x + 1, z * k + n});
   const Theorem least = define_least("first_of", {y}, n, 0, lt(y, n));
-  const Theorem powers = matrix_power(turn, n);
   const Expr count = fun("count_of", {k, n}), counts = eq(count, n);
   const Theorem from_0 = assume(logic_and({le(0, n), counts}));
   const Theorem next =
@@ -71,15 +67,15 @@ coq::Chapter definitions() {
   const Expr a = matrix(2, {x, y, z, 1});
   const Theorem same = assume(eq(times(a, power(turn, n)), transpose(a)));
   return {"definitions",
-          {{"name", named},
+          {{"name", define("double_of", {x}, 2 * x)},
            {"integer", instantiate(least, {{n, fun("even_of", {n})}})},
-           {"predicate", instantiate(small, {{y, y + 1}})},
+           {"predicate", instantiate(define("is_small", {x, y}, lt(power(x, 2), y)), {{y, y + 1}})},
            {"matrix", tautology(entries, {turned})},
            {"entries", restate(eq(times(a, power(turn, n + 0)), matrix(2, {x, z, y, 1})), same)},
            {"start", counted[0]},
            {"next", counted[3]},
            {"least", least},
-           {"powers", powers},
+           {"powers", matrix_power(turn, n)},
            {"even", even},
            {"determinant", arithmetic(eq(det(a), x - y * z), {})},
            {"induction", induction(n, 0, counts, counted[0], hold)}}};

@@ -154,8 +154,7 @@ TEST_CASE("each shown theorem is read back from its file as the kernel's terms")
     const std::string& text = texts.at(chapter.name + ".v");
     for (const auto& [id, theorem] : chapter.shown) {
       INFO(id);
-      const std::size_t title = text.find("(* " + id + " *)");
-      const std::size_t begin = text.find(" : ", title) + 3;
+      const std::size_t begin = text.find(" : ", text.find("(* " + id + " *)")) + 3;
       const auto [hypotheses, conclusion, has_sorts] =
           read(text.substr(begin, text.find(".\nProof", begin) - begin));
       CHECK((hypotheses == theorem.hypotheses()));
