@@ -24,8 +24,7 @@ Block eval_block(const Rows& rows);
 Block count_block(const Rows& rows);
 Block terminal_block(const Rows& rows);
 
-/// Magic and deficient mass ratios 1 to count, as doubles or with digits, in radicals where the
-/// book has them; many are written as they come.
+/// Magic and deficient mass ratios 1 to count, in radicals, too, where the book has them.
 Answer ratios(const Request& request);
 
 /// Are two expressions equal? Two words, and the option domain. The check fails where they differ;

@@ -8,9 +8,8 @@
 
 namespace answers {
 
-/// The whole derivation, or the chapters and steps that are named; "from": a step and what it rests
-/// on; "list": labels, theorems and formulas; formats text, markdown, json. Throws InvalidInput for
-/// a name that is neither a chapter nor a step.
+/// The whole derivation, or the chapters, steps and labels that are named; "from": a step and what
+/// it rests on; "list": labels, theorems and formulas. Throws InvalidInput for an unknown name.
 Answer derive(const Request& request);
 /// The whole derivation, to be rendered.
 std::vector<render::Section> derivation_sections();

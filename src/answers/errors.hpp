@@ -12,11 +12,16 @@ namespace answers {
 using magicmass::InvalidInput;  ///< exit code 2
 using magicmass::Undecided;     ///< exit code 3
 
-/// What it gives; what it refuses (kernel::Refused) a user gave: InvalidInput, after `before`.
-auto given_by_user(const std::string& before, const auto& action) try {
+/// What it gives; what it throws as Thrown is thrown as Instead, after `before`.
+template <class Thrown, class Instead = Thrown>
+auto with_place(const std::string& before, const auto& action) try {
   return action();
-} catch (const kernel::Refused& refused) {
-  throw InvalidInput(before + refused.what());
+} catch (const Thrown& error) {
+  throw Instead(before + error.what());
+}
+/// The same of what a user gave.
+auto given_by_user(const std::string& before, const auto& action) {
+  return with_place<kernel::Refused, InvalidInput>(before, action);
 }
 
 /// Printable ASCII as it is, other bytes as \xHH, so that no terminal obeys them; cut with "..."

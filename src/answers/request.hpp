@@ -19,8 +19,7 @@ struct Request {
   bool has(const std::string& option) const { return options.count(option) != 0; }
   /// The option's value, "" where it was not given.
   std::string text(const std::string& option) const;
-  /// A whole number from least to most, or nothing where it was not given.
-  /// Throws InvalidInput for anything else.
+  /// From least to most, or nothing where it was not given. Throws InvalidInput for all else.
   std::optional<std::int64_t> whole(const std::string& option, std::int64_t least,
                                     std::int64_t most) const;
   /// The same of an option that was given; throws Undecided for a larger one.

@@ -14,17 +14,10 @@ struct Asked {
   Result result;
 };
 
-/// A part of a command, which names it where it cannot go on.
-auto part_of(const std::string& command, const auto& part) try {
-  return part();
-} catch (const Undecided& error) {
-  throw Undecided(command + ": " + error.what());
-}
-
 Asked asked(const Request& request, const std::string& command) {
   if (request.words.size() != 1)
     throw InvalidInput(command + ": give one scene, a file; example: " + command + " wall.toml");
-  return part_of(command, [&]() -> Asked {
+  return with_place<Undecided>(command + ": ", [&]() -> Asked {
     Scene scene = read_scene(request.words.front());
     scene.is_exact = request.has("exact");
     if (const auto most = request.whole("max-events", 0, INT64_MAX)) scene.max_events = most;
@@ -200,7 +193,7 @@ Answer simulate(const Request& request) {
                    " lists events alone; the trajectory is in text and json, or where no events "
                    "are asked for";
   answer.stream = [question, format](const Write& write) {
-    part_of("simulate", [&] { write_all(question, format, write); });
+    with_place<Undecided>("simulate: ", [&] { write_all(question, format, write); });
   };
   return answer;
 }

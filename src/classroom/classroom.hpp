@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// learn: exercises listed, shown and tested; answers of others judged where they can do no harm,
-// remembered, graded, and watched while they are written.
+// learn: exercises, and answers of others, judged where they can do no harm, and remembered.
 #pragma once
 
 #include <filesystem>
-#include <set>
 
 #include "answers/request.hpp"
 #include "learn/exercise.hpp"
 
 namespace classroom {
 
+using answers::Answer;
 using answers::InvalidInput;
+using answers::Request;
 using answers::text_cell;
 using learn::Exercise;
 using learn::Judgement;
 
-answers::Answer learn_by_exercises(const answers::Request& request);
+Answer learn_by_exercises(const Request& request);
 
 /// "half_angle.txt", or "collide.cpp" for code.
 std::string answer_file(const Exercise& exercise);
@@ -33,8 +33,7 @@ std::optional<Judgement> judged_file(const Exercise& exercise, const std::string
 answers::Fields told(const Exercise& exercise, const Judgement& said);
 
 /// `learn grade CLASS [--only ID,ID] [--why or --summary]`: in CLASS a folder for each student.
-answers::Answer grade(const answers::Request& request, const std::vector<Exercise>& all,
-                      const learn::Run& run);
+Answer grade(const Request& request, const std::vector<Exercise>& all, const learn::Run& run);
 /// The exercise of this name; refused where there is none, with the one that may be meant.
 const Exercise& named(const std::vector<Exercise>& all, const std::string& id);
 

@@ -16,7 +16,7 @@ bool is_letters(const std::string& text) {
 }
 
 /// Text of others: in CSV no field begins as a spreadsheet's formula does, with ; between, too.
-answers::Cell cell_of(const answers::Request& request, std::string text) {
+answers::Cell cell_of(const Request& request, std::string text) {
   if (request.format != "csv") return text_cell(text);
   if (text.find_first_of("=+-@") == 0) text.insert(0, "'");
   std::ranges::replace(text, ';', ',');
@@ -57,8 +57,7 @@ const Exercise& named(const std::vector<Exercise>& all, const std::string& id) {
                      learn::meant(id, answers::texts_of(all, &Exercise::id), "; see learn list"));
 }
 
-answers::Answer grade(const answers::Request& request, const std::vector<Exercise>& all,
-                      const learn::Run& run) {
+Answer grade(const Request& request, const std::vector<Exercise>& all, const learn::Run& run) {
   if (request.words.size() != 2)
     throw InvalidInput("learn grade: give one folder, which has a folder for each student");
   const bool is_why = request.has("why"), is_summary = request.has("summary");

@@ -8,8 +8,6 @@
 namespace classroom {
 namespace {
 
-using answers::Answer;
-using answers::Request;
 using magicmass::scenes::text_of;
 
 /// The program's exercises, or those of a folder or file, chapter by chapter.

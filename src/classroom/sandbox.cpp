@@ -69,8 +69,7 @@ std::string first_error(const End& compiled, const std::string& folder, const st
   return first_line(compiled.errors);
 }
 
-/// A file that an answer includes and that is neither beside it nor the system's; "" where there is
-/// none. `list` is what the compiler says with -M.
+/// What is neither beside an answer nor the system's in what the compiler lists with -M, or "".
 std::string foreign_file(const std::string& list) {
   std::istringstream names(list);
   for (std::string name; names >> name;)

@@ -13,10 +13,6 @@ constexpr std::chrono::milliseconds between_looks{150};
 /// Time of change and size: others where it was saved, or something was renamed over it.
 using Stamp = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
 
-struct Seen {
-  Stamp last = {}, judged = {};
-};
-
 /// Nothing where there is no text, as for a moment while an editor saves.
 std::optional<Stamp> stamp_of(const std::filesystem::path& file) {
   std::error_code error;
@@ -35,7 +31,7 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
     say(text);
     say("");
   };
-  std::map<std::string, Seen> files;
+  std::map<std::string, Stamp> last, judged;
   std::set<std::string> reported;
   for (bool is_first = true;; is_first = false) {
     const std::filesystem::directory_iterator entries(place, error);
@@ -52,10 +48,9 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
       }
       const std::optional<Stamp> now = stamp_of(entry.path());
       if (!now) continue;
-      Seen& file = files[name];
-      if (is_first) file.judged = *now;
-      const bool is_written = std::exchange(file.last, *now) != *now;  // perhaps it goes on
-      if (is_written || std::exchange(file.judged, *now) == *now) continue;
+      if (is_first) judged[name] = *now;
+      const bool is_written = std::exchange(last[name], *now) != *now;  // perhaps it goes on
+      if (is_written || std::exchange(judged[name], *now) == *now) continue;
       std::optional<Judgement> said = judged_file(*found, place, run);
       if (!said) continue;
       remember(*found, *said);

@@ -57,11 +57,6 @@ Row compared(const std::string& line) {
           text_cell(verdict), reason.empty() ? missing_cell() : text_cell(reason)};
 }
 
-/// What a label of the paper stands at.
-std::string kind_of(const std::string& label) {
-  return label[0] == 't' ? "Table " : label[0] == 'f' ? "Figure " : "Equation ";
-}
-
 /// A heading and a narrow table for each label, and under it why numbers differ.
 std::string sections_of(const Table& all, bool is_markdown) {
   std::string text;
@@ -70,8 +65,9 @@ std::string sections_of(const Table& all, bool is_markdown) {
     const auto last = std::find_if(first, all.rows.end(),
                                    [&](const Row& row) { return row.front().text != label; });
     const Table its{all.columns, {first, last}};
-    text += section(kind_of(label) + label, selected(its, {"number", "printed", "ours", "verdict"}),
-                    is_markdown);
+    const std::string kind = label[0] == 't' ? "Table " : label[0] == 'f' ? "Figure " : "Equation ";
+    const Table shown = selected(its, {"number", "printed", "ours", "verdict"});
+    text += section(kind + label, shown, is_markdown);
     std::set<std::string> said{""};
     for (; first != last; ++first)
       if (said.insert(first->back().text).second) text += "\n" + first->back().text + "\n";
@@ -87,11 +83,9 @@ Table comparisons(std::string_view paper_numbers) {
   bool is_header = true;
   for (std::string line; std::getline(lines, line);) {
     if (line.empty() || line.front() == '#') continue;
-    try {
-      if (!is_header) all.rows.push_back(compared(line));
-    } catch (const std::exception& error) {
-      throw std::runtime_error("paper_numbers.csv: " + line + ": " + error.what());
-    }
+    if (!is_header)
+      all.rows.push_back(with_place<std::exception, std::runtime_error>(
+          "paper_numbers.csv: " + line + ": ", [&] { return compared(line); }));
     is_header = false;
   }
   return all;

@@ -72,18 +72,14 @@ Destination::Destination(const std::string& path, std::function<void()> before_w
   }
   target_ = behind_links(path);
   if (exists && ::access(target_.c_str(), W_OK) != 0) refuse(errno);
-  open_atomic();
-  if (exists && ::fchmod(descriptor_, status.st_mode & 07777U) != 0) refuse(errno);
-}
-
-void Destination::open_atomic() {
   constexpr mode_t mode = 0666;
   descriptor_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
-  if (descriptor_ >= 0) return;
-  name_ = fresh_name(target_, [&](const char* name) {
-    return descriptor_ = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-  });
-  if (name_.empty()) refuse(errno);
+  if (descriptor_ < 0)
+    name_ = fresh_name(target_, [&](const char* name) {
+      return descriptor_ = ::open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    });
+  if (descriptor_ < 0) refuse(errno);
+  if (exists && ::fchmod(descriptor_, status.st_mode & 07777U) != 0) refuse(errno);
 }
 
 Destination::~Destination() {

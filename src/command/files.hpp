@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Commands that write files or start programs, so that they are no pure answers; the table of the
-// paper's numbers that one of them shows.
+// Commands that write files or start programs, so that they are no pure answers.
 #pragma once
 
 #include "answers/request.hpp"
@@ -16,16 +15,14 @@ answers::Answer write_folder(const std::string& option, const std::string& folde
 /// Writes what the theorems give to a folder, all of it or nothing; with "check" compares instead,
 /// and a difference is a failed check. With "quantity" or "scene" one header.
 answers::Answer generate_files(const answers::Request& request);
-/// answers::derive, and format coq: a folder of files, written to --output. Throws InvalidInput
-/// where a folder is missing or chapters are chosen.
+/// answers::derive, and format coq: the whole derivation, a folder of files, written to --output.
 answers::Answer derive(const answers::Request& request);
 /// answers::verify; with coq: coqc checks each step, too. Throws InvalidInput where there is none.
 answers::Answer verify(const answers::Request& request);
 /// One of the paper or of the report by its name, in svg, png, pdf or csv: the same bytes from
 /// every run, PDF but for the date where cairo compresses it. With list: all names.
 answers::Answer figure(const answers::Request& request);
-/// Every number of the paper beside ours; formats text, markdown, json, csv. With out: the figures
-/// of the paper and the tables in a folder, too.
+/// Every number of the paper beside ours. With out: its figures and the tables in a folder, too.
 answers::Answer reproduce(const answers::Request& request);
 
 /// The rows of paper_numbers.csv, each with our answer to its question, the verdict (agrees:

@@ -77,7 +77,6 @@ private:
   std::string buffer_;
   std::function<void()> before_writing_;
 
-  void open_atomic();
   [[noreturn]] void refuse(int error) const;
 };
 

@@ -59,21 +59,23 @@ std::string plain_html(const std::string& text) {
 
 /// From Markdown with references to HTML. What is looked up stands in the Markdown as a number
 /// between control characters, which cmark leaves alone, and is put in afterwards.
-class Expansion {
-public:
-  Expansion(const Chapter& chapter, const Surroundings& around)
-      : chapter_(chapter), around_(around) {}
+struct Expansion {
+  const Chapter& chapter;
+  const Surroundings& around;
+  Texts printed = {}, session = {};
+  std::set<std::string> not_shown = {};
+  std::vector<std::string> pieces = {};  ///< a block begins with a line's end
 
   std::string html() {
-    std::istringstream lines(chapter_.text);
+    std::istringstream lines(chapter.text);
     std::string markdown, line, found;
     int number = 1;
     bool in_code = false;
     try {
-      printed_ = read_printed(chapter_.printed);
-      session_ = read_session(chapter_.session);
-      for (const auto* all : {&printed_, &session_})
-        for (const auto& [name, text] : *all) not_shown_.insert(name);
+      printed = read_printed(chapter.printed);
+      session = read_session(chapter.session);
+      for (const auto* all : {&printed, &session})
+        for (const auto& [name, text] : *all) not_shown.insert(name);
       std::getline(lines, line);  // the title
       while (std::getline(lines, line)) {
         ++number;
@@ -83,32 +85,25 @@ public:
         markdown += (in_code || is_fence ? line : expanded(line)) + "\n";
       }
       if (found != sections) throw InvalidInput("its sections (##) must be: " + sections);
-      if (!not_shown_.empty()) throw InvalidInput("printed, never shown: " + *not_shown_.begin());
+      if (!not_shown.empty()) throw InvalidInput("printed, never shown: " + *not_shown.begin());
     } catch (const InvalidInput& error) {
-      throw InvalidInput(chapter_.source + ":" + std::to_string(number) + ": " + error.what());
+      throw InvalidInput(chapter.source + ":" + std::to_string(number) + ": " + error.what());
     }
     return with_pieces(html_of(markdown));
   }
 
-private:
-  const Chapter& chapter_;
-  const Surroundings& around_;
-  Texts printed_, session_;
-  std::set<std::string> not_shown_;
-  std::vector<std::string> pieces_;  ///< a block begins with a line's end
-
   static std::string mark(std::size_t piece) { return "\x01" + std::to_string(piece) + "\x01"; }
   std::string piece(const std::string& html) {
-    pieces_.push_back(html);
-    return mark(pieces_.size() - 1);
+    pieces.push_back(html);
+    return mark(pieces.size() - 1);
   }
   std::string with_pieces(std::string html) const {
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const bool is_block = pieces_[i].starts_with("\n");
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const bool is_block = pieces[i].starts_with("\n");
       const std::string stand_in = is_block ? "<p>" + mark(i) + "</p>" : mark(i);
       const std::size_t at = html.find(stand_in);
-      if (at == html.npos) throw InvalidInput(chapter_.source + ": {{...}} in HTML is left out");
-      html.replace(at, stand_in.size(), pieces_[i]);
+      if (at == html.npos) throw InvalidInput(chapter.source + ": {{...}} in HTML is left out");
+      html.replace(at, stand_in.size(), pieces[i]);
     }
     return html;
   }
@@ -147,28 +142,28 @@ private:
       return is_alone ? "\n" + display({side}) : in_words(side);
     }
     if (kind == "chapter")
-      return link(name + ".html", html_text(found(around_.chapters, name, "chapter")));
+      return link(name + ".html", html_text(found(around.chapters, name, "chapter")));
     if (kind == "figure")
       return "<span class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"figure\"><img "
              "src=\"figures/" +
-             name + ".svg\" alt=\"" + html_text(found(around_.figures, name, "figure")) +
+             name + ".svg\" alt=\"" + html_text(found(around.figures, name, "figure")) +
              "\"/></span>";
     const bool has_block = kind == "run" || what == "program" || what == "exercises" ||
-                           (kind.empty() && found(printed_, name, "printed value").ends_with("\n"));
+                           (kind.empty() && found(printed, name, "printed value").ends_with("\n"));
     if (!kind.empty() && kind != "run") throw InvalidInput("{{" + what + "}} is of no known kind");
     if (has_block && !is_alone) throw InvalidInput("{{" + what + "}} needs a line of its own");
-    not_shown_.erase(name);
+    not_shown.erase(name);
     if (kind == "run")
-      return "\n" + code_html("$ " + name + "\n" + found(session_, name, "command of session.txt"),
+      return "\n" + code_html("$ " + name + "\n" + found(session, name, "command of session.txt"),
                               " data-run=\"" + html_text(name) + "\"");
-    if (what == "program") return "\n" + code_html(chapter_.program);
+    if (what == "program") return "\n" + code_html(chapter.program);
     if (what == "exercises") return exercises();
-    const std::string& value = printed_.at(name);
+    const std::string& value = printed.at(name);
     return has_block ? "\n" + block_html(value)
                      : "<span data-value=\"" + name + "\">" + value_html(value) + "</span>";
   }
   const render::Step& step(const std::string& id) const {
-    for (const render::Section& section : around_.derivation)
+    for (const render::Section& section : around.derivation)
       for (const render::Step& one : section.steps)
         if (one.id == id) return one;
     throw InvalidInput("no theorem is called " + id);
@@ -180,7 +175,7 @@ private:
   }
   std::string exercises() const {
     std::string list = "\n";
-    for (const learn::Exercise& e : chapter_.exercises) {
+    for (const learn::Exercise& e : chapter.exercises) {
       list += "<details data-exercise=\"" + e.id + "\"><summary>" + html_text(e.title) +
               "</summary>" + plain_html(e.prompt);
       for (const std::string& rule : rules(e)) list += "<p>" + html_text(rule) + "</p>\n";
@@ -218,7 +213,7 @@ std::string title_of(const Chapter& chapter) {
 }
 
 std::string chapter_html(const Chapter& chapter, const Surroundings& surroundings) {
-  return Expansion(chapter, surroundings).html();
+  return Expansion{chapter, surroundings}.html();
 }
 
 std::string html_of(const std::string& markdown) {

@@ -87,14 +87,11 @@ struct Streams {
   ::_exit(not_there);
 }
 
-void end_group(int) { ::kill(0, SIGKILL); }
-
-/// Between this program and the other: ends with all that was started when time is up, or when this
-/// one is gone.
+/// Between this program and the other: ends with all when time is up, or when this one is gone.
 [[noreturn]] void watch(const std::vector<char*>& words, const Bounds& bounds,
                         const Streams& streams, pid_t parent) {
   ::setsid();  // a group of its own, and no terminal
-  for (const int signal : {SIGALRM, SIGTERM}) std::signal(signal, end_group);
+  for (const int signal : {SIGALRM, SIGTERM}) std::signal(signal, [](int) { ::kill(0, SIGKILL); });
   ::prctl(PR_SET_PDEATHSIG, SIGTERM);
   if (::getppid() != parent) ::_exit(not_there);
   ::alarm(bounds.seconds);

@@ -17,17 +17,13 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A constant's value, to many more bits than doubles down to 1e-300 have.
 cl_RA value_of(Expr constant, const std::string& text) {
-  try {
-    return equality::enclosure(constant, 2048).low();
-  } catch (const std::runtime_error& none) {
-    throw InvalidInput(text + ": " + none.what());
-  }
+  return answers::with_place<std::runtime_error, InvalidInput>(
+      text + ": ", [&] { return equality::enclosure(constant, 2048).low(); });
 }
 
 std::string text_of(double value) {
-  return std::isnan(value)      ? "nan"
-         : std::isfinite(value) ? answers::real_cell(value).text
-                                : "infinite";
+  if (std::isnan(value)) return "nan";
+  return std::isfinite(value) ? answers::real_cell(value).text : "infinite";
 }
 
 /// "1/7", the nearest double; "above sqrt(5) - 2", the one after it.

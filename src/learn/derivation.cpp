@@ -18,16 +18,14 @@ void add_gaps(const Judgement& compared, std::size_t line, Texts& notes) {
 
 /// A line or a side of it, or what is wrong with it by the line's number.
 notation::Typed typed(const Terms& terms, const std::string& text, std::size_t line, Texts& notes) {
-  try {
+  return answers::with_place<kernel::Refused>(line_name(line) + ": ", [&] {
     const notation::Typed read = terms.typed(text, notes);
     for (Expr side : {read.term, read.right ? read.right : read.term}) {
       if (kernel::is_matrix(side)) kernel::refuse("a matrix");
       if (const std::string other = terms.foreign(side); !other.empty()) kernel::refuse(other);
     }
     return read;
-  } catch (const kernel::Refused& r) {
-    kernel::refuse(line_name(line) + ": " + r.what());
-  }
+  });
 }
 
 std::pair<Expr, Expr> both_sides(const Terms& terms, const std::string& equation) {

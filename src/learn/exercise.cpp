@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "learn/exercise.hpp"
-
 #include <cctype>
 #include <regex>
 #include <sstream>

@@ -2,7 +2,6 @@
 // An exercise: TOML that a teacher edits. What is said to an answer: never a guess. Texts, cut.
 #pragma once
 
-#include <algorithm>
 #include <functional>
 
 #include "magicmass/scenes/scene.hpp"

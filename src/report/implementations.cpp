@@ -49,11 +49,10 @@ auto rational_velocities(double alpha, std::int64_t n) {
   return generated::velocities_exact(short_rational(alpha, n), n);
 }
 auto rational_terminal(double alpha) {
-  const Counts counts = count_collisions(alpha).value();
-  const auto t =
-      generated::terminal_exact(short_rational(alpha, counts.N_A), counts.N_A, counts.N_B);
+  const auto [N_A, N_B] = count_collisions(alpha).value();
+  const auto t = generated::terminal_exact(short_rational(alpha, N_A), N_A, N_B);
   const auto nearest = oracle::nearest;
-  return Terminal{counts, nearest(t.a_t), nearest(t.b_t), nearest(t.c_t), nearest(t.rho)};
+  return Terminal{{N_A, N_B}, nearest(t.a_t), nearest(t.b_t), nearest(t.c_t), nearest(t.rho)};
 }
 
 double rounded(double x) { return x; }

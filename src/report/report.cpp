@@ -17,20 +17,18 @@ using namespace answers;
 Cell short_cell(double value) {
   return real_cell(std::strtod(formatted("%.4g", value).c_str(), nullptr));
 }
-Cell hex_cell(double value) {
-  return value == 0 ? missing_cell() : text_cell(formatted("%a", value));
-}
 
 Fields fields_of(const Measurement& one) {
   const Errors& errors = one.errors;
   const bool has_index = one.quantity != Quantity::terminal && one.quantity != Quantity::counts;
+  const double worst = errors.worst.alpha;
   const bool has_worst = errors.max_ulp > 0 || errors.wrong > 0;
   return {{"evaluator", text_cell(one.evaluator)},
           {"quantity", text_cell(name_of(one.quantity))},
           {"family", one.family.empty() ? missing_cell() : text_cell(one.family)},
           {"samples", whole_cell(errors.samples)},
           {"max_ulp", short_cell(errors.max_ulp)},
-          {"worst_alpha", hex_cell(errors.worst.alpha)},
+          {"worst_alpha", worst == 0 ? missing_cell() : text_cell(formatted("%a", worst))},
           {"worst_index", has_worst && has_index ? whole_cell(errors.worst.index) : missing_cell()},
           {"over_envelope", short_cell(errors.over_envelope)},
           {"misrounded", whole_cell(errors.misrounded)},

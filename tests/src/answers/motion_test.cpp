@@ -22,8 +22,7 @@ namespace {
 oracle::MassRatio same(const notation::Alpha& alpha) {
   if (const auto* at = std::get_if<notation::Threshold>(&alpha))
     return at->is_magic ? oracle::magic(at->k) : oracle::deficient(at->k);
-  if (const auto* value = std::get_if<double>(&alpha)) return oracle::ratio(balls::exact(*value));
-  return oracle::ratio(std::get<cl_RA>(alpha));
+  return oracle::ratio(*fraction_of(alpha));
 }
 /// Blocks of mass 1, a ball of mass alpha, B at 1 from A and C.
 law::ThreeBodies<cl_RA> bodies(const cl_RA& alpha, const cl_RA& e) {
@@ -140,8 +139,7 @@ TEST_CASE("any masses, a wall, many collisions: the evaluator says what scenes s
     const double got[] = {t->a_t, t->c_t, t->b_t};
     const auto velocities = trio.velocities(trio.shape(), *N);
     for (std::size_t i = 0; i < velocities.size(); ++i)
-      CHECK_THAT(got[i],
-                 Catch::Matchers::WithinRel(cln::double_approx(velocities[i].low()), 1e-13));
+      CHECK_THAT(got[i], WithinRel(cln::double_approx(velocities[i].low()), 1e-13));
   }
   CHECK(ended > 150);
 }

@@ -20,12 +20,11 @@ const std::vector<Measurement>& all() {
   static const std::vector<Measurement> measurements = measure(errors_alone());
   return measurements;
 }
-const Errors& errors_of(const std::string& evaluator, Quantity quantity,
-                        const std::string& family) {
+const Errors& errors_of(const std::string& name, Quantity quantity, const std::string& family) {
   for (const Measurement& one : all())
-    if (one.evaluator == evaluator && one.quantity == quantity && one.family == family)
+    if (one.evaluator == name && one.quantity == quantity && one.family == family)
       return one.errors;
-  throw std::out_of_range(evaluator + ", " + family);
+  throw std::out_of_range(name + ", " + family);
 }
 
 }  // namespace
