@@ -15,7 +15,8 @@ answers::Answer write_folder(const std::string& option, const std::string& folde
 /// Writes what the theorems give to a folder, all of it or nothing; with "check" compares instead,
 /// and a difference is a failed check. With "quantity" or "scene" one header.
 answers::Answer generate_files(const answers::Request& request);
-/// answers::derive, and format coq: the whole derivation, a folder of files, written to --output.
+/// answers::derive, and format coq: a folder of files, written to --output. Throws InvalidInput
+/// where a folder is missing or chapters are chosen.
 answers::Answer derive(const answers::Request& request);
 /// answers::verify; with coq: coqc checks each step, too. Throws InvalidInput where there is none.
 answers::Answer verify(const answers::Request& request);
