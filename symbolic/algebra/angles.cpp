@@ -94,12 +94,10 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
 }
 Theorem same_angle(const Theorem& cosines, const Theorems& facts) {
   const Expr p = left(cosines).arg(0), q = right(cosines).arg(0);
-  const auto not_less = [&](Expr l, Expr r) {
-    return given(lt(l, r), [&](const Theorem& less) {
-      return linear(lt(0, 0), {cosine_falls(less, facts), cosines});
-    });
+  const auto not_above = [&](Expr l, Expr r) {
+    return otherwise(le(l, r), {cosine_falls(assume(lt(r, l)), facts), cosines});
   };
-  return follows(eq(p, q), {not_less(p, q), not_less(q, p), never()});
+  return linear(eq(p, q), {not_above(p, q), not_above(q, p)});
 }
 
 Theorem cosine_falls(const Theorem& less, const Theorems& facts) {

@@ -19,16 +19,7 @@ constexpr int most_work_of_15 = 3;  // whose sines are of more roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
-cln::cl_RA exponent_of(Expr root) {
-  const cln::cl_RA e = is_call(root, "sqrt") ? 2 : root.arg(1).value();
-  return is_call(root, "raised") ? e : 1 / e;
-}
-int order_of(Expr root) { return cln::cl_I_to_int(cln::denominator(exponent_of(root))); }
-bool is_root(Expr e) {
-  const bool is_typed = is_call(e, "root") || is_call(e, "raised");
-  return is_call(e, "sqrt") || (is_typed && e.arg(1).op() == Op::Num &&
-                                cln::denominator(exponent_of(e)) <= highest_order);
-}
+bool is_root(Expr e) { return root_exponent(e) && order_of(e) <= highest_order; }
 bool is_algebraic_term(Expr e) {
   if (e.op() == Op::Num || e.op() == Op::Var) return true;
   if (is_sine(e)) return multiple_of_pi(e.arg(0)).has_value();
@@ -68,7 +59,7 @@ Theorem not_zero(Expr c, const Theorems& facts) {
 }
 /// x^(k/n) is the r with r^n = x^k and, if n is even, 0 <= r.
 Exprs definition(Expr root) {
-  const int k = whole(exponent_of(root)), n = order_of(root);
+  const int k = whole(*root_exponent(root)), n = order_of(root);
   const Expr x = kernel::power(root.arg(0), std::abs(k));
   Exprs out{kernel::eq(kernel::power(root, n), k < 0 ? 1 / x : x)};
   if (n % 2 == 0) out.push_back(kernel::le(0, root));
@@ -110,9 +101,7 @@ struct Roots {
       const cln::cl_I order = orders[factor];
       if (!e || order == 0 || order > highest_order) return {};
       const int n = cln::cl_I_to_int(order), k = whole(*e * order);
-      const Expr least = n == 1   ? factor
-                         : n == 2 ? kernel::sqrt(factor)
-                                  : notation::raised(factor, cln::cl_RA(1) / n);
+      const Expr least = forms.expression(atom(factor, exponent(cln::cl_RA(1) / n)));
       const Expr whole = kernel::power(least, std::abs(k));
       out = k > 0 ? out * whole : out / whole;
     }
@@ -206,7 +195,8 @@ bool add_sines(Expr e, Roots& roots) {
   if (!part) return false;
   const Expr angle = algebra::left(part->cosine).arg(0);
   const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
-  roots.facts = algebra::angles(sines, {angle}) + Theorems{part->cosine, part->sine} + part->signs;
+  roots.facts = roots.facts + algebra::angles(sines, {angle}) + Theorems{part->cosine, part->sine} +
+                part->signs;
   roots.see(both);
   roots.add(both);
   return true;
@@ -228,34 +218,31 @@ std::string certified(Expr left, Expr right, std::vector<Requirement> needs, con
       if (end)
         needs.push_back({end->is_inside ? Need::NotNegative : Need::Positive,
                          kernel::canonical(Expr(side) * (x - Expr(end->value)))});
+  for (Requirement& r : needs) r.term = named(r.term);
   std::string theorem;
   is_proved([&] {
     const Expr goal = kernel::eq(named(left), named(right)), both = goal.arg(0) - goal.arg(1);
     Roots roots{Forms(narrowed(domain, needs))};
     Theorems& facts = roots.facts;
-    for (const Requirement& r : needs) is_proved([&] { return roots.forms.assume(r), true; });
+    for (const Requirement& r : needs) {
+      is_proved([&] { return roots.forms.assume(r), true; });
+      if (!is_constant(r.term)) facts.push_back(kernel::assume(formula(r)));
+    }
     is_proved([&] { return roots.see(both), true; });
     if (!add_sines(both, roots)) return false;
-    const auto suppose = [&](bool of_constants) {
-      for (const auto& [kind, e] : needs) {
-        const Expr term = named(e);
-        if (is_constant(term) != of_constants) continue;
-        const bool is_seen =
-            of_constants && is_proved([&] { return facts.push_back(not_zero(term, facts)), true; });
-        if (!is_seen || kind != Need::NotZero)
-          facts.push_back(kernel::assume(formula({kind, term})));
-      }
-    };
-    suppose(false);
     roots.add(both);
-    suppose(true);
+    for (const Requirement& r : needs) {
+      if (!is_constant(r.term)) continue;
+      const bool is_seen =
+          is_proved([&] { return facts.push_back(not_zero(r.term, facts)), true; });
+      if (!is_seen || r.kind != Need::NotZero) facts.push_back(kernel::assume(formula(r)));
+    }
     if (!is_proved([&] { return algebra::equation(goal, facts), true; })) roots.solve_for_one(goal);
     std::string hypotheses;
     for (Expr h : algebra::equation(goal, facts).hypotheses()) {
-      const Expr is = kernel::substitute(h, bases);
-      if (std::ranges::find(needs, is, formula) == needs.end() && !roots.definitions.contains(h))
+      if (std::ranges::find(needs, h, formula) == needs.end() && !roots.definitions.contains(h))
         return false;  // a hypothesis that nobody is told of
-      hypotheses += (hypotheses.empty() ? "" : ", ") + shown(is);
+      hypotheses += (hypotheses.empty() ? "" : ", ") + shown(kernel::substitute(h, bases));
     }
     theorem = hypotheses + (hypotheses.empty() ? "" : " |- ") + notation::typed_text(left) + " = " +
               notation::typed_text(right);

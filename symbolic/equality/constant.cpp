@@ -68,8 +68,7 @@ private:
       if (sign(x) == 0) throw NotDefined("division by zero");
       return Ball(1) / (*this)(x);
     }
-    if (name == "sqrt") return root(x, 2);
-    if (name == "root") return root(x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())));
+    if (name == "sqrt" || name == "root") return root(x, order_of(e));
     if (name == "raised") return raised(x, e.arg(1));
     if (name == "abs") return sign(x) < 0 ? -(*this)(x) : (*this)(x);
     if (name == "exp") return exp((*this)(x));
@@ -205,12 +204,9 @@ private:
     const Bounds x = (*this)(e.arg(0));
     if (name == "inv") return x.inverse();
     if (name == "abs") return x;
-    if (name == "sqrt") return root(e, x, 2, 1);
-    if (name == "root") return root(e, x, cln::cl_I_to_int(cln::numerator(e.arg(1).value())), 1);
-    const auto value = name == "raised" ? notation::rational_value(e.arg(1)) : std::nullopt;
+    const auto value = root_exponent(e);
     need(value && cln::abs(cln::numerator(*value)) <= 10000 && cln::denominator(*value) <= 1000);
-    return root(e, *value < 0 ? x.inverse() : x, cln::cl_I_to_int(cln::denominator(*value)),
-                std::abs(cln::cl_I_to_int(cln::numerator(*value))));
+    return root(e, *value < 0 ? x.inverse() : x, order_of(e), std::abs(whole(*value)));
   }
   Bounds root(Expr e, Bounds x, int order, int exponent) {
     if (order > 1) roots.emplace(e, order);
@@ -221,6 +217,13 @@ private:
   }
 };
 }  // namespace
+
+std::optional<cln::cl_RA> root_exponent(Expr root) {
+  if (is_call(root, "sqrt")) return cln::cl_RA(1) / 2;
+  if (is_call(root, "root")) return 1 / root.arg(1).value();
+  return is_call(root, "raised") ? notation::rational_value(root.arg(1)) : std::nullopt;
+}
+int order_of(Expr root) { return cln::cl_I_to_int(cln::denominator(*root_exponent(root))); }
 
 std::optional<cln::cl_RA> multiple_of_pi(Expr e) {
   try {

@@ -64,7 +64,6 @@ Sum Forms::function(Expr term) {
   const bool has_factors = name == "sqrt" || name == "root" || name == "abs" || name == "raised";
   if (has_factors && is_nothing(x)) x = {};
   if (name == "inv") return integer_power(x, -1);
-  if (name == "sqrt") return real_power(x, exponent(cln::cl_RA(1) / 2));
   if (name == "abs") {
     if (x.empty() || is_not_negative(x)) return x;
     return has_sign(x, -1, false) ? scaled(x, -1) : real_power(x, exponent(1));
@@ -80,10 +79,9 @@ Sum Forms::function(Expr term) {
   if (name == "acos")
     return scaled(atom(kernel::pi()), cln::cl_RA(1) / 2) - inverse_angle("asin", x);
   if (name == "asin" || name == "atan") return inverse_angle(name, x);
-  if (name == "root") {
-    const int order = cln::cl_I_to_int(cln::numerator(term.arg(1).value()));
-    if (order % 2 == 1) return odd_root(x, order);
-    return real_power(x, exponent(cln::cl_RA(1) / order));
+  if (name == "sqrt" || name == "root") {
+    const Exponent e = exponent(*root_exponent(term));
+    return order_of(term) % 2 == 1 ? odd_root(x, e) : real_power(x, e);
   }
   if (name == "raised") {
     const Sum power = divided(of(term.arg(1)));
@@ -176,9 +174,8 @@ Product Forms::power_of_modulus(const Sum& base, const Exponent& exponent) {
   }
   return out;
 }
-Sum Forms::odd_root(const Sum& base, int order) {
+Sum Forms::odd_root(const Sum& base, const Exponent& e) {
   if (base.empty()) return {};
-  const Exponent e = exponent(cln::cl_RA(1) / order);
   if (is_not_negative(base)) return real_power(base, e);
   if (has_sign(base, -1, false)) return scaled(real_power(scaled(base, -1), e), -1);
   return times(base, real_power(base, e + exponent(-1)));  // x |x|^(1/k - 1)

@@ -55,6 +55,10 @@ struct TooLarge : std::runtime_error {
 /// The numerator. Throws TooLarge above 100,000.
 int whole(const cln::cl_RA& q);
 
+/// The rational e of a root or a power x^e, and the n of e = k/n.
+std::optional<cln::cl_RA> root_exponent(Expr root);
+int order_of(Expr root);
+
 /// What a term needs to have a value.
 enum class Need { NotZero, NotNegative, Positive };
 struct Requirement {
@@ -124,7 +128,7 @@ private:
   Sum symbolic_power(const Sum& base, const Exponent& exponent);
   Sum real_power(const Sum& base, const Exponent& exponent);
   Product power_of_modulus(const Sum& base, const Exponent& exponent);
-  Sum odd_root(const Sum& base, int order);
+  Sum odd_root(const Sum& base, const Exponent& exponent);
   Sum logarithm(const Sum& sum);
   Sum exponential(const Sum& sum);
   Sum divided(Sum sum);

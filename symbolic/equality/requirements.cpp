@@ -18,13 +18,13 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
     const std::string name = e.name();
     const Expr x = e.arg(0);
     if (name == "inv") out.push_back({Need::NotZero, x});
-    if (name == "sqrt") out.push_back({Need::NotNegative, x});
     if (name == "log") out.push_back({Need::Positive, x});
     // Asked of the square: 1 - sqrt(x)^2 is simpler than 1 - sqrt(x).
     if ((name == "asin" || name == "acos") &&
         !is_certain({Need::NotNegative, Expr(1) - kernel::power(x, 2)}, domain))
       for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
-    if (name == "root" && is_even(e.arg(1).value())) out.push_back({Need::NotNegative, x});
+    const bool is_root = name == "sqrt" || name == "root";
+    if (is_root && order_of(e) % 2 == 0) out.push_back({Need::NotNegative, x});
     if (name != "raised") return;
     if (is_proved([&] { return Forms(domain).of(x).empty(); }))
       out.push_back({Need::Positive, e.arg(1)});
