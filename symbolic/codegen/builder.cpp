@@ -171,9 +171,7 @@ int Builder::rest(int p, int q, int k) {
   return sum(p, part);
 }
 void Builder::need_positive(const std::string& name, int k) {
-  const auto is_it = [&](const Result& r) { return r.kind == Result::sign && r.node == k; };
-  if (std::ranges::any_of(program.results, is_it)) return;
-  program.results.push_back({Result::sign, name, k});
+  if (!program.has(Result::sign, k)) program.results.push_back({Result::sign, name, k});
 }
 int Builder::nearest(int p, int q) {
   const int k = add({.op = Op::nearest, .of = {p, q}, .is_exact = true, .is_whole = true});

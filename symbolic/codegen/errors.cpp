@@ -126,8 +126,7 @@ private:
   void check_close(int k) const {
     const Form& f = error(k);
     if (f.empty() || (*this)[k].is_tested) return;
-    const std::optional<double> r = relative(k);
-    const double off = r ? *r : absorber.bounded(f) / p[k].range.size();
+    const double off = relative(k).value_or(absorber.bounded(f) / p[k].range.size());
     if (!(off <= close)) throw Refused(p[k].name + " is too far off for its range to be used");
   }
   /// |small| <= |large| holds of computed values, nearly, if both are close in terms of |large|.
@@ -261,7 +260,7 @@ private:
   /// q = c/y, c a constant, y off by E < |y| 2^-23: |c/(y + E) - c/y| is |q| E/|y|, y exact, so at
   /// most E |q|^2/|c| and a bit, q computed.
   bool quotient(Form& f, int k, int x, int y) const {
-    if (is_divisor(y)) {
+    if (p.has(Result::divisor, y)) {
       if (p[x].op != Op::constant || !p[x].is_exact)
         throw Refused("a quotient of no constant by " + p[y].name + ", which is tested");
       add(f, error(y), and_more / p[x].range.size(), {k, k});
@@ -275,10 +274,6 @@ private:
       add_loss(f, of_y, k);
     }
     return false;
-  }
-  bool is_divisor(int k) const {
-    const auto is_it = [&](const Result& r) { return r.kind == Result::divisor && r.node == k; };
-    return std::ranges::any_of(p.results, is_it);
   }
   void sine_or_cosine(Form& f, int k, int x, const Form& angle, double of_turn) {
     const double top = absorber.most(x);

@@ -104,10 +104,9 @@ Interval arc_tangent(Interval x) {
 }
 Interval sine(Interval x) {
   if (!(x.low >= -pi_below / 2 && x.high <= pi_below)) return {-1, 1};
-  const double least = std::min(std::sin(x.low), std::sin(x.high));
+  const auto [least, most] = std::minmax({std::sin(x.low), std::sin(x.high)});
   const bool has_top = x.low <= pi_below / 2 && x.high >= pi_below / 2;
-  const double most = has_top ? 1.0 : std::max(std::sin(x.low), std::sin(x.high));
-  return meet(around(least, most, libm_steps), {x.low >= 0 ? 0.0 : -1.0, 1});
+  return meet(around(least, has_top ? 1.0 : most, libm_steps), {x.low >= 0 ? 0.0 : -1.0, 1});
 }
 Interval cosine(Interval x) {
   if (!(x.low >= -pi_below && x.high <= pi_below)) return {-1, 1};

@@ -66,13 +66,12 @@ const Sizes* Absorber::taker(const Form& f, const Sizes& x, double k, const Size
   return nullptr;
 }
 void Absorber::take(Form& f, const Taking& t) const {
-  if (f.count(t.term) == 0) return;
-  const double k = f.at(t.term);
-  f.erase(t.term);
+  const auto taken = f.extract(t.term);
+  if (taken.empty()) return;
   for (const auto& [part, by, into] : t.parts) {
     const std::optional<double> of_part = share(part, into);
     if (!of_part) throw Refused("a term that is taken into a smaller one");
-    f[into] += *of_part * by * k * and_more;
+    f[into] += *of_part * by * taken.mapped() * and_more;
   }
 }
 std::optional<Taking> Absorber::next(const Form& f) const {

@@ -10,9 +10,7 @@ namespace {
 class Reader : public Builder {
 public:
   Reader(const Quantity& quantity, const Case& which, Numbers of)
-      : Builder(of), q(quantity), c(which), domain{q, c, of == Numbers::wide, [this](Expr e) {
-                                                     return range(e);
-                                                   }} {
+      : Builder(of), q(quantity), c(which) {
     for (const Input& i : q.inputs) {
       const std::string name = i.variable.name();
       const Interval range = codegen::range_of(i, c, domain.is_wide);
@@ -79,7 +77,7 @@ public:
 private:
   const Quantity& q;
   const Case& c;
-  Domain domain;
+  Domain domain{q, c, numbers == Numbers::wide, [this](Expr e) { return range(e); }};
   std::set<std::string> named;
   std::set<Expr> used;
 

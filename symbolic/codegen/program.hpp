@@ -2,6 +2,8 @@
 // The intermediate representation: operations in single assignment, in the order of their making.
 #pragma once
 
+#include <algorithm>
+
 #include "codegen/exact.hpp"
 #include "kernel/theorem.hpp"
 
@@ -72,6 +74,10 @@ struct Program {
   const Node& operator[](int k) const { return nodes[std::size_t(k)]; }
   Node& operator[](int k) { return nodes[std::size_t(k)]; }
   int size() const { return int(nodes.size()); }
+  bool has(Result::Kind kind, int node) const {
+    const auto is_it = [&](const Result& r) { return r.kind == kind && r.node == node; };
+    return std::ranges::any_of(results, is_it);
+  }
 };
 /// A name as C++ has it: c' is c_prime.
 std::string identifier(const std::string& name);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // That two terms are equal as polynomials, two formulas the same up to that: each term is proved
 // equal to its canonical form, once, from what its atoms are equal to.
-#include <algorithm>
 #include <numeric>
 
 #include "coq/script.hpp"

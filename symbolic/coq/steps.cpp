@@ -128,14 +128,11 @@ std::string Script::induction(const Theorem& t, const Context& c) {
          applied(step, c) + ") " + v + " i'" + n.name() + ").";
 }
 std::string Script::applied(const Theorem& p, const Context& c, const kernel::Substitution& s) {
-  const auto value = [&](Expr v) {
-    if (const auto it = s.find(v); it != s.end()) return it->second;
-    return is_in(c.variables, v) ? v : Expr(0);
-  };
   std::string out = "(" + lemma(p);
   std::string integers;
   for (Expr v : variables_of(p)) {
-    const Expr e = value(v);
+    const auto there = s.find(v);
+    const Expr e = there != s.end() ? there->second : is_in(c.variables, v) ? v : Expr(0);
     define_all(e);
     out += " " + gallina(e);
     if (v.sort() == Sort::Int) integers += " ltac:(int)";

@@ -28,12 +28,11 @@ void chebyshev(Book& book) {
       equation(U_x(j + 4), (4 * power(x, 2) - 2) * U_x(j + 2) - U_x(j),
                {at(next, {{j, j + 2}}), at(next, {{j, j + 1}}), solved_for(U_x(j + 1) * x, next)}));
 
-  const auto quotient = [](const char* of, Expr index, Expr turns) {
-    return eq(fun(of, {cos(y), index}) * sin(y), sin(turns * y));
-  };
   const auto at_cosine = [](const Theorem& t) { return at(t, {{x, cos(y)}}); };
   const Theorem sines = by_induction(
-      j, logic_and({quotient("U", j, j + 1), quotient("U_last", j, j)}),
+      j,
+      logic_and({eq(U(j, cos(y)) * sin(y), sin((j + 1) * y)),
+                 eq(fun("U_last", {cos(y), j}) * sin(y), sin(j * y))}),
       {at_cosine(first), at_cosine(def[1])}, {at_cosine(after), at_cosine(last_after)}, {j * y, y});
   book.show("sine", "Of a cosine they are quotients of sines,", part(sines, 0));
   book.show("sine_last", "and so is the one before, U_last, which is 0 at first,", part(sines, 1));

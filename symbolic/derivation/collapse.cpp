@@ -53,14 +53,13 @@ void neighbours(Book& book) {
             both({quadratic, positive(y_e), at_most_1}));
 
   const Theorem mean = equation(kappa(), (y_e + 1 / y_e) / 2, {quadratic});
-  const auto of_y_e = [&](const char* id) {
-    return at(book[id], {{x, kappa()}, {y, y_e}}, {mean});
-  };
-  const Theorem distance = of_y_e("chebyshev.distance");
+  const Substitution of_y_e{{x, kappa()}, {y, y_e}};
+  const Theorem distance = at(book["chebyshev.distance"], of_y_e, {mean});
   const Theorem powers_next = at(powers_of(book, at_most_1), {{j, j + 1}});
   book.show("neighbours", "and below which quotients of neighbours are,",
             both({distance, part(powers_next, 0), part(powers_next, 1)}));
-  book.show("unit", "and with powers of it for the unit,", of_y_e("chebyshev.unit"));
+  book.show("unit", "and with powers of it for the unit,",
+            at(book["chebyshev.unit"], of_y_e, {mean}));
 }
 /// Blocks of one mass M, a ball of mass alpha M.
 void equal_blocks(Book& book) {

@@ -58,7 +58,6 @@ void hand_on(Book& book) {
                              return Exprs{with("b_t", before[0]), before[1] + with("N", before[0])};
                            });
   const auto speed = [](Expr i) { return fun("cradle_speed", {V, i}); };
-  const auto count = [](Expr i) { return fun("cradle_count", {V, i}); };
   book.show("start",
             "In a cradle of blocks with ball k of the ratio alpha_k behind block k, the speed with "
             "which block j + 1 sets off, and the number of collisions until then:",
@@ -85,7 +84,7 @@ void hand_on(Book& book) {
   book.show("left", "and the block and the ball before it are left at rest,",
             both({ends[0], ends[2]}));
   book.show("collisions", "after k collisions of each with ball k:",
-            by_induction(j, eq(count(j), j * (j + 1)), {motion[1]},
+            by_induction(j, eq(fun("cradle_count", {V, j}), j * (j + 1)), {motion[1]},
                          {at(motion[3]), there("cradle.number", speeds)}));
 }
 }  // namespace

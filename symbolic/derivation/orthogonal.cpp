@@ -197,14 +197,12 @@ void in_space(Book& book, const Theorems& names, const Theorem& is) {
             both({with_names(names, equation(det(mirrored), -d, {mirror})),
                   with_names(names, equation(o, times(mirrored, P_3), {mirror})),
                   with_names(names, kept)}));
-  const auto turn = [&](const std::string& name, const std::string& label, const std::string& axis,
-                        const Exprs& m) {
-    return book.name(name, {x}, matrix(3, m), {}, "A rotation about the " + axis + " axis:", label);
-  };
   const Theorem first_axis =
-      turn("lambda_1", "eq:lambda-1", "first", {1, 0, 0, 0, cos(x), -sin(x), 0, sin(x), cos(x)});
+      book.name("lambda_1", {x}, matrix(3, {1, 0, 0, 0, cos(x), -sin(x), 0, sin(x), cos(x)}), {},
+                "A rotation about the first axis:", "eq:lambda-1");
   const Theorem second_axis =
-      turn("lambda_2", "eq:lambda-2", "second", {cos(x), 0, sin(x), 0, 1, 0, -sin(x), 0, cos(x)});
+      book.name("lambda_2", {x}, matrix(3, {cos(x), 0, sin(x), 0, 1, 0, -sin(x), 0, cos(x)}), {},
+                "A rotation about the second axis:", "eq:lambda-2");
   const auto collision = [&](const std::string& name, const std::string& id, const Theorem& turn_is,
                              Expr angle, const std::string& bodies) {
     const Theorem is_collision = book[id];

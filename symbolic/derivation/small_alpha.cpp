@@ -49,11 +49,10 @@ void counts(Book& book) {
   const Expr share = 1 - rational(5, 12) * alpha;
   const Known small({linear(lt(0, share), {assume(lt(alpha, rational(12, 5)))})});
   const Expr fewest = pi() / (2 * p), most = pi() / (2 * p * share);
-  const auto quotients = [&](Expr l, Expr r, Expr divisors, std::size_t which) {
-    return linear(le(l, r), {times(part(bounds, which), pi() / 2 / divisors)});
-  };
-  const Theorem at_least = quotients(fewest, pi() / psi(), psi() * p, 1);
-  const Theorem at_most = quotients(pi() / psi(), most, psi() * p * share, 0);
+  const Theorem at_least =
+      linear(le(fewest, pi() / psi()), {times(part(bounds, 1), pi() / 2 / (psi() * p))});
+  const Theorem at_most =
+      linear(le(pi() / psi(), most), {times(part(bounds, 0), pi() / 2 / (psi() * p * share))});
   for (const auto& [name, count, shift, below] :
        {std::tuple{"N_A", N_A(), rational(1, 2), most + rational(1, 2)},
         std::tuple{"N_B", N_B(), Expr(1), most}})

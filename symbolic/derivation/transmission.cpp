@@ -39,17 +39,15 @@ void energy(Book& book) {
                            [&](const Exprs& before) { return Exprs{before[0] + square}; });
   book.show("squares", "So with a sum of squares,", under(domain, both(sum)));
   const Expr first = of_pairs(V + W, W, V);
-  const auto remains = [&](Expr i) {
-    return eq(energy(i), first - unit * fun("squares", any_start() + Exprs{i}));
-  };
+  const Expr taken = unit * fun("squares", any_start() + Exprs{j});
   book.show("left", "after j collisions there is left",
-            by_induction(j, remains(j), {at(is, {{j, 0}}), sum[0], book["any_start.start"]},
+            by_induction(j, eq(energy(j), first - taken),
+                         {at(is, {{j, 0}}), sum[0], book["any_start.start"]},
                          {solved_for(energy(j + 1), alike), at(sum[1])}));
   book.show("bounded",
             "never less than 0; so if e < 1, and collisions never end, the terms of that sum, and "
             "with them the approach speeds, tend to 0:",
-            linear(le(unit * fun("squares", any_start() + Exprs{j}), first),
-                   {book["losses.left"], is, not_negative(right(is))}));
+            linear(le(taken, first), {book["losses.left"], is, not_negative(right(is))}));
   book.show("falls", "and energy never rises:",
             linear(le(energy(j + 1), energy(j)),
                    {alike, product_of({assume(le(e, 1)), positive(1 + e),

@@ -203,9 +203,8 @@ void check_functions(codegen::Tier tier, bool bare) {
     return Entry{name, low, high, l, l, allowed, [=](D x, D) { return computed(x); }, wanted};
   };
   const double half = bare ? 0.5 : 0;
-  const auto of_small = [](D x) { return sine_cosine_small<Tier>(x); };
-  const auto small_sine = [=](D x) { return of_small(x).sine; };
-  const auto small_cosine = [=](D x) { return of_small(x).cosine; };
+  const auto small_sine = [](D x) { return sine_cosine_small<Tier>(x).sine; };
+  const auto small_cosine = [](D x) { return sine_cosine_small<Tier>(x).cosine; };
   const auto tangent = [](D x) { return arc_tangent<Tier>(x, x * x); };
   check({entry("sine, small", 0.01, 0.5235, relative(small.sine), small_sine, "small_sine",
                cln::sin, true)},
@@ -225,9 +224,8 @@ void check_functions(codegen::Tier tier, bool bare) {
     return Allowed{turned.cosine.loss * w + turned.absolute + turned.angle * x,
                    turned.cosine.loose * w + turned.spill};
   };
-  const auto of_any = [](D x) { return magicmass::arithmetic::sine_cosine<Tier>(x); };
-  const auto sine = [=](D x) { return of_any(x).sine; };
-  const auto cosine = [=](D x) { return of_any(x).cosine; };
+  const auto sine = [](D x) { return magicmass::arithmetic::sine_cosine<Tier>(x).sine; };
+  const auto cosine = [](D x) { return magicmass::arithmetic::sine_cosine<Tier>(x).cosine; };
   check(
       {entry("sine", 0.01, 0.785, of_sine, sine, "sine", cln::sin, true),
        entry("cosine", 0.01, 0.785, of_cosine, cosine, "cosine", cln::cos, false),

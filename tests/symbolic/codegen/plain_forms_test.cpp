@@ -3,9 +3,6 @@
 // again and again in rationals; each domain at its ends, from both sides.
 #include <cmath>
 
-#include <cln/float.h>
-#include <cln/real.h>
-
 #include "catch.hpp"
 #include "codegen/exact.hpp"
 #include "law_of_collision.hpp"

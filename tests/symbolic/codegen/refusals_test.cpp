@@ -235,9 +235,8 @@ TEST_CASE("a doubling needs its four theorems in their shape, and what they need
   const Theorem odd = assume(eq(f(2 * m + 1), 2 * f(m) * f(m + 1) - f(1)));
   const PlainForm any = form(definition(1 + alpha), {0, 1}, "exact");
   // The hypotheses of these are their conclusions: only a domain that knows of them takes them.
-  const codegen::Domain knowing{any.quantity, any.quantity.cases[0], false, [](Expr) {
-                                  return Interval{0, 0};
-                                }};
+  const auto known = [](Expr) { return Interval{0, 0}; };
+  const codegen::Domain knowing{any.quantity, any.quantity.cases[0], false, known};
   const codegen::Domain plain{any.quantity, any.quantity.cases[0], false,
                               [](Expr) -> Interval { throw codegen::Refused("not known"); }};
   const Doubling right{at_0, at_1, even, odd};
