@@ -111,12 +111,11 @@ Theorem sums_are(const Sums& s, const Theorem& one_more) {
 void multiples(Book& book) {
   book.chapter("multiples", "Multiples of an angle", {le(0, n), le(0, j)});
   const Expr r = real("r");
+  const Expr p = n * x, q = r * x;
   book.show("cos_more", "sec:nhx", "Sum of two angles:",
-            equation(cos((n + r) * x), cos(n * x) * cos(r * x) - sin(n * x) * sin(r * x), {},
-                     {n * x, r * x}));
+            equation(cos((n + r) * x), cos(p) * cos(q) - sin(p) * sin(q), {}, {p, q}));
   book.show("sin_more", "sec:nhx", "and",
-            equation(sin((n + r) * x), sin(n * x) * cos(r * x) + cos(n * x) * sin(r * x), {},
-                     {n * x, r * x}));
+            equation(sin((n + r) * x), sin(p) * cos(q) + cos(p) * sin(q), {}, {p, q}));
   const Sums s;
   book.show("pow", "Powers by recursion,", both(s.powers));
   book.show("choose", "binomial coefficients,", both(s.coefficients));
