@@ -9,10 +9,8 @@
 namespace answers {
 namespace {
 
-using derivation::Chapter;
-using derivation::Statement;
-using render::Section;
-using render::Step;
+using namespace derivation;
+using namespace render;
 
 /// Whether one holds wherever the other does: a definition may be shown under more hypotheses.
 bool is_same_case(const kernel::Exprs& one, const kernel::Exprs& other) {
@@ -23,7 +21,7 @@ bool is_same_case(const kernel::Exprs& one, const kernel::Exprs& other) {
 }
 
 /// A step's premises are other steps before it, in the book's order.
-std::vector<Section> sections_of(const derivation::Book& book) {
+std::vector<Section> sections_of(const Book& book) {
   std::multimap<kernel::Expr, std::size_t> places;
   kernel::Theorems theorems;
   std::vector<std::string> ids;
@@ -74,7 +72,7 @@ std::vector<Section> sections_of(const derivation::Book& book) {
 }
 
 /// The book, proved as far as these chapters, steps and labels need.
-const derivation::Book& book_for(const std::vector<std::string>& words) {
+const Book& book_for(const std::vector<std::string>& words) {
   const auto is_proved = [](const std::string& word) {
     const bool is_chapter = word.find_first_of(".:") == word.npos;  // labels have a colon
     return derivation::is_shown(is_chapter ? word + "." : word) || is_chapter;  // or its end
@@ -122,10 +120,7 @@ std::vector<Section> derivation_sections() { return sections_of(derivation::the_
 Answer derive(const Request& request) {
   const std::vector<Section> sections = asked_for(request);
   const std::map<std::string, std::string (*)(const std::vector<Section>&)> pages{
-      {"text", render::text_page},
-      {"markdown", render::markdown_page},
-      {"latex", render::latex_page},
-      {"html", render::html_page}};
+      {"text", text_page}, {"markdown", markdown_page}, {"latex", latex_page}, {"html", html_page}};
   const auto page = pages.find(request.format);
   const bool is_list = request.format == "text" && request.has("list");
   if (page != pages.end() && !is_list) return {{}, page->second(sections)};

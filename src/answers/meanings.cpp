@@ -7,8 +7,7 @@
 namespace answers {
 namespace {
 
-using kernel::Expr;
-using kernel::Op;
+using namespace kernel;
 
 /// What people type, the book's name for it, and the theorem f(params) = term.
 struct Definition {
@@ -33,9 +32,9 @@ Expr typed(Expr e) {
   if (e.op() == Op::Var || (e.op() == Op::Fun && names.contains(e.name())))
     return notation::symbol(e.name());
   if (e.size() == 0) return e;
-  kernel::Exprs args;
+  Exprs args;
   for (Expr arg : e.args()) args.push_back(typed(arg));
-  return kernel::with_args(e, args);
+  return with_args(e, args);
 }
 
 }  // namespace
@@ -46,8 +45,7 @@ Expr definition_of(const std::string& name) {
   const std::size_t from = name.find_last_not_of("0123456789") + 1;
   if (from >= name.size() || name[from] == '0' || name.size() - from > 9) return {};
   const Expr of_k = definition_of(name.substr(0, from) + "k");  // alpha_7
-  return of_k ? kernel::substitute(of_k, {{kernel::integer("k"), std::stoi(name.substr(from))}})
-              : of_k;
+  return of_k ? substitute(of_k, {{integer("k"), std::stoi(name.substr(from))}}) : of_k;
 }
 Expr written_out(Expr e) {
   if (e.size() == 0) return e;
@@ -57,36 +55,36 @@ Expr written_out(Expr e) {
       const Expr equation = derivation::shown(d.id).conclusion();
       return written_out(substitute(equation.arg(1), equation.arg(0).args(), e.args()));
     }
-  kernel::Exprs args;
+  Exprs args;
   for (Expr arg : e.args()) args.push_back(written_out(arg));
-  return kernel::with_args(e, args);
+  return with_args(e, args);
 }
 Expr right_side(const std::string& id) { return derivation::shown(id).conclusion().arg(1); }
 
 Expr with_meanings(Expr e, std::vector<std::string>& notes) {
-  kernel::Substitution meanings;
+  Substitution meanings;
   for (const std::string& name : notation::symbols_of(e)) {
     const Expr equation = definition_of(name);
     if (!equation || name == "rho") continue;
     meanings.emplace(notation::symbol(name), typed(written_out(equation.arg(1))));
-    notes.push_back(name + " = " + kernel::text(equation.arg(1)));
+    notes.push_back(name + " = " + text(equation.arg(1)));
   }
-  return kernel::substitute(e, meanings);
+  return substitute(e, meanings);
 }
 
 Expr stated_value(const std::string& step) {
   const std::size_t colon = step.find(": ");
   const std::string left = colon == step.npos ? "" : step.substr(colon + 2);
-  kernel::Exprs open{derivation::shown(step.substr(0, colon)).conclusion()};
+  Exprs open{derivation::shown(step.substr(0, colon)).conclusion()};
   while (!open.empty()) {
     const Expr e = open.back();
     open.pop_back();
     if (e.op() == Op::Imp) open.push_back(e.arg(1));
     for (std::size_t i = e.op() == Op::And ? e.size() : 0; i > 0; --i) open.push_back(e.arg(i - 1));
-    if (e.op() == Op::Eq && (left.empty() || kernel::text(e.arg(0)) == left))
+    if (e.op() == Op::Eq && (left.empty() || text(e.arg(0)) == left))
       return typed(written_out(e.arg(1)));
   }
-  kernel::refuse(step + ": this step states no such equation");
+  refuse(step + ": this step states no such equation");
 }
 
 }  // namespace answers

@@ -11,8 +11,7 @@ namespace {
 using namespace magicmass::scenes;
 using cln::cl_I;
 using cln::cl_RA;
-using notation::Alpha;
-using notation::Threshold;
+using namespace notation;
 
 /// At alpha_k after k cycles; alpha_1 = 1.
 bool takes_everything(const Alpha& alpha, const cl_I& n) {
@@ -36,7 +35,7 @@ Ball ball_of(const Alpha& alpha) {
   return *fraction_of(alpha);
 }
 Alpha alpha_of(const std::string& text) {
-  return given_by_user("", [&] { return notation::read_alpha(text); });
+  return given_by_user("", [&] { return read_alpha(text); });
 }
 double nearest(const Alpha& alpha) { return value_of(alpha).to_double(); }
 std::optional<cl_RA> fraction_of(const Alpha& alpha) {

@@ -7,7 +7,7 @@
 namespace answers {
 namespace {
 
-using notation::Alpha;
+using namespace notation;
 
 /// psi over pi.
 Answer angle(const Request& request) {
@@ -22,17 +22,15 @@ Answer angle(const Request& request) {
 /// fraction below 1 as restitution, and the shift in percent. A search finds 7 decimals, no more.
 Answer extremum(const Request& request) {
   const Alpha near = alpha_of(request.text("near"));
-  const auto* at = std::get_if<notation::Threshold>(&near);
-  if (at == nullptr)
-    throw InvalidInput("near: " + notation::text(near) + "; allowed: magic:k, deficient:k");
+  const auto* at = std::get_if<Threshold>(&near);
+  if (at == nullptr) throw InvalidInput("near: " + text(near) + "; allowed: magic:k, deficient:k");
   const Alpha restitution = alpha_of(request.text("restitution"));
   const auto* e = std::get_if<cln::cl_RA>(&restitution);
   if (e == nullptr || *e >= 1) throw InvalidInput("restitution: allowed: a fraction below 1");
   const auto rho_at = [&](double alpha) { return std::stod(rho(alpha, *e).text); };
   const double scale = std::pow(10, double(request.whole("decimals", 0, 7).value_or(7)));
   const double elastic = nearest(near);
-  const double below =
-      nearest(at->is_magic ? notation::deficient(at->k) : notation::magic(at->k + 1));
+  const double below = nearest(at->is_magic ? deficient(at->k) : magic(at->k + 1));
   double low = std::sqrt(below * elastic);
   double high = elastic / low * elastic;  // the extremum above is farther away than that below
   while (high - low > 1e-9) {             // rho is flat at a maximum: nearer, its last bits decide

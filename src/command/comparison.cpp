@@ -92,9 +92,8 @@ Table comparisons(std::string_view paper_numbers) {
 }
 
 Answer page_of(const Table& comparisons, const std::string& format) {
-  const auto count = [&](const std::string& verdict) {
-    return std::ranges::count(comparisons.rows, verdict,
-                              [](const Row& row) { return row[4].text; });
+  const auto count = [&](const std::string& which) {
+    return std::ranges::count(comparisons.rows, which, [](const Row& row) { return row[4].text; });
   };
   Answer answer{.table = comparisons, .check_failed = count("differs") > 0};
   if (format == "text" || format == "markdown")

@@ -8,7 +8,7 @@
 namespace command {
 namespace {
 
-using answers::InvalidInput;
+using namespace answers;
 
 const std::string step = "\nLemma s'";  // one each in the files
 
@@ -24,7 +24,7 @@ coq::Files all_files() {
 
 }  // namespace
 
-answers::Answer derive(const answers::Request& request) {
+Answer derive(const Request& request) {
   if (request.format != "coq") return answers::derive(request);
   if (!request.words.empty() || request.has("from") || request.has("list"))
     throw InvalidInput("derive: --format coq is the whole derivation, without names or --from");
@@ -37,8 +37,8 @@ answers::Answer derive(const answers::Request& request) {
   });
 }
 
-answers::Answer verify(const answers::Request& request) {
-  answers::Answer answer = answers::verify(request);
+Answer verify(const Request& request) {
+  Answer answer = answers::verify(request);
   if (!request.has("with") || answer.check_failed) return answer;
   const coq::Files files = all_files();
   const host::TemporaryFolder folder("verify");
@@ -62,11 +62,10 @@ answers::Answer verify(const answers::Request& request) {
     if (!problem.empty()) checked = 0;  // all rests on it
   }
   answer.check_failed = !problem.empty();
-  if (!problem.empty())
-    answer.note = "verify: not checked by Coq: " + answers::shown_text(problem, 400);
+  if (!problem.empty()) answer.note = "verify: not checked by Coq: " + shown_text(problem, 400);
   answer.table.columns.insert(answer.table.columns.end(), {"checked_by_coq", "kernel_only"});
-  answer.table.rows[0].push_back(answers::whole_cell(checked));
-  answer.table.rows[0].push_back(answers::whole_cell(std::size_t(files.steps) - checked));
+  answer.table.rows[0].push_back(whole_cell(checked));
+  answer.table.rows[0].push_back(whole_cell(std::size_t(files.steps) - checked));
   return answer;
 }
 

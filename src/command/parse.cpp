@@ -11,9 +11,7 @@
 namespace command {
 namespace {
 
-using answers::InvalidInput;
-using answers::joined;
-using answers::shown_text;
+using namespace answers;
 
 /// The command's own options and those that all share.
 std::vector<Option> options_of(const Command& command) {
@@ -64,9 +62,9 @@ const Command& command_of(const Program& program, const std::string& word) {
 
 /// Options by name, and what else there is. An option takes the next word, though it begin with a
 /// minus sign (not with two); so may formulas, and what follows "--".
-answers::Request request_of(const Command& command, const std::vector<Option>& options,
-                            const std::vector<std::string>& words, const std::string& help) {
-  answers::Request request;
+Request request_of(const Command& command, const std::vector<Option>& options,
+                   const std::vector<std::string>& words, const std::string& help) {
+  Request request;
   const auto refuse = [&](const std::string& word) {
     throw InvalidInput(command.name + ": has no option or word " + shown_text(word) + "; see " +
                        help);
@@ -99,8 +97,7 @@ answers::Request request_of(const Command& command, const std::vector<Option>& o
   return request;
 }
 
-Asked asked_for(const Command& command, const std::vector<Option>& options,
-                answers::Request request) {
+Asked asked_for(const Command& command, const std::vector<Option>& options, Request request) {
   const auto& endless = command.endless;
   const bool has_end = request.words.empty() || std::ranges::count(endless, request.words[0]) == 0;
   request.format = request.has("format") ? request.text("format") : command.formats.front();

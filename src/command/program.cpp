@@ -103,6 +103,7 @@ void answer_rows(const Asked& asked, Destination& output, const Tell& tell, std:
 }
 
 ExitCode answer(const Asked& asked, const Tell& tell, std::string& place) {
+  const answers::Format format = answers::format_of(asked.request.format);
   const bool is_folder = asked.request.format == asked.command->folder_format;
   Destination output(is_folder ? "" : asked.request.text("output"), [&] { tell(0); });
   ExitCode code = ExitCode::done;
@@ -115,13 +116,10 @@ ExitCode answer(const Asked& asked, const Tell& tell, std::string& place) {
         output.write(text);
         if (text.empty()) output.flush();
       });
-    else if (given.document.empty())
-      output.write(answers::written(given.table, answers::format_of(asked.request.format)));
     else
-      output.write(given.document);
-    code = given.check_failed   ? ExitCode::check_failed
-           : given.is_undecided ? ExitCode::undecided
-                                : ExitCode::done;
+      output.write(given.document.empty() ? answers::written(given.table, format) : given.document);
+    if (given.is_undecided) code = ExitCode::undecided;
+    if (given.check_failed) code = ExitCode::check_failed;
     if (!given.note.empty()) say(given.note, code);
   }
   output.finish();

@@ -15,7 +15,7 @@
 namespace command {
 namespace {
 
-using answers::shown_text;
+using namespace answers;
 
 constexpr std::size_t longest_line = std::size_t{1} << 16U;
 
@@ -33,7 +33,7 @@ CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wa
     : source_(path == "-" ? "stdin" : shown_text(path, 200)),
       file_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (file_ < 0) cannot_read();
-  const std::string allowed = answers::joined(wanted);
+  const std::string allowed = joined(wanted);
   next_line();
   if (line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
   split_line();
@@ -53,13 +53,10 @@ CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wa
 }
 
 void CsvReader::cannot_read() const {
-  throw answers::InvalidInput("cannot read " + source_ + ": " +
-                              std::generic_category().message(errno));
+  throw InvalidInput("cannot read " + source_ + ": " + std::generic_category().message(errno));
 }
 
-void CsvReader::refuse(const std::string& what) const {
-  throw answers::InvalidInput(position() + what);
-}
+void CsvReader::refuse(const std::string& what) const { throw InvalidInput(position() + what); }
 
 std::string CsvReader::position(std::size_t before) const {
   return source_ + ":" + std::to_string(number_ - static_cast<std::int64_t>(before)) + ": ";

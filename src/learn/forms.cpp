@@ -6,13 +6,13 @@
 namespace learn {
 namespace {
 
-using kernel::Op;
+using namespace kernel;
 
 bool is_angle_function(Expr e) {
   static const std::set<std::string> names{"sin", "cos", "atan", "asin", "acos"};
   return e.op() == Op::Fun && names.contains(e.name());
 }
-bool is_quotient(Expr e) { return kernel::is_call(e, "inv") && e.arg(0).op() != Op::Num; }
+bool is_quotient(Expr e) { return is_call(e, "inv") && e.arg(0).op() != Op::Num; }
 
 /// The first part, outer ones first, of which `is_lack` is true; unless it is said, none of an
 /// angle, x/2 in cos(x/2), but for what an inverse function in it is taken of.
@@ -51,7 +51,7 @@ std::pair<Expr, Expr> one_fraction(Expr e) {
   if (is_quotient(e) || e.op() == Op::Pow) {
     const auto [over, under] = one_fraction(e.arg(0));
     if (e.op() != Op::Pow) return {under, over};
-    return {kernel::power(over, e.exponent()), kernel::power(under, e.exponent())};
+    return {power(over, e.exponent()), power(under, e.exponent())};
   }
   if (e.op() != Op::Add && e.op() != Op::Mul) return {e, 1};
   auto [all_over, all_under] = one_fraction(e.arg(0));
@@ -66,7 +66,7 @@ std::pair<Expr, Expr> one_fraction(Expr e) {
 /// Whether a sum is a product: x*y + x, x^2 + 2*x + 1, 1/x + 2 + x, but not 1 - x^2 or 1/x + 1/y.
 bool hides_product(Expr e, const equality::Domain&) {
   if (e.op() != Op::Add) return false;
-  const kernel::Polynomial terms = kernel::polynomial(one_fraction(e).first);
+  const Polynomial terms = polynomial(one_fraction(e).first);
   for (const auto& [factor, times] : equality::factorized(terms))
     if (times > 1 || (factor.size() == 1 && !factor.begin()->first.empty())) return true;
   cln::cl_I common = 0;
@@ -80,11 +80,10 @@ bool is_no_fraction(Expr e, const equality::Domain&) {
   if (e.op() == Op::Add || is_quotient(e)) return std::ranges::any_of(e.args(), has_division);
   if (e.op() != Op::Mul) return false;
   const auto [over, under] = one_fraction(e);
-  const auto factors = equality::factorized(kernel::polynomial(over));
-  for (const auto& [factor, times] : equality::factorized(kernel::polynomial(under)))
+  const auto factors = equality::factorized(polynomial(over));
+  for (const auto& [factor, times] : equality::factorized(polynomial(under)))
     for (const auto& [other, ignored] : factors)
-      if (kernel::scaled(factor, other.begin()->second) ==
-              kernel::scaled(other, factor.begin()->second) &&
+      if (scaled(factor, other.begin()->second) == scaled(other, factor.begin()->second) &&
           !factor.rbegin()->first.empty())
         return true;
   return false;
