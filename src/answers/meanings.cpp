@@ -37,8 +37,7 @@ Expr typed(Expr e) {
   return with_args(e, args);
 }
 
-}  // namespace
-
+/// The equation that defines such a name: "a_n", "c_prime_n", "beta_7"; nothing for another one.
 Expr definition_of(const std::string& name) {
   for (const Definition& d : definitions)
     if (name == d.typed) return derivation::shown(d.id).conclusion();
@@ -47,6 +46,9 @@ Expr definition_of(const std::string& name) {
   const Expr of_k = definition_of(name.substr(0, from) + "k");  // alpha_7
   return of_k ? substitute(of_k, {{integer("k"), std::stoi(name.substr(from))}}) : of_k;
 }
+
+}  // namespace
+
 Expr written_out(Expr e) {
   if (e.size() == 0) return e;
   if (e.op() == Op::Fun)

@@ -8,8 +8,6 @@ namespace answers {
 
 /// The term with what the book defines (psi, theta, V_CM, alpha_k, rho, a_n, ...) written out.
 kernel::Expr written_out(kernel::Expr term);
-/// The equation that defines such a name: "a_n", "c_prime_n", "beta_7"; nothing for another one.
-kernel::Expr definition_of(const std::string& name);
 /// The right side of the equation that a theorem of the book is.
 kernel::Expr right_side(const std::string& id);
 

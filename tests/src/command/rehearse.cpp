@@ -11,18 +11,17 @@
 
 namespace {
 
-using answers::Answer;
-using answers::Request;
+using namespace answers;
 
 Answer document(const std::string& text) { return {{}, text}; }
 
-const answers::Names echo_columns{"text", "times"};
+const Names echo_columns{"text", "times"};
 
 Answer echo(const Request& request) {
   const auto times = request.whole("times", 1, 99);
-  if (request.text("text") == "hard") throw answers::Undecided("hard is not decided");
-  const answers::Row row{answers::text_cell(answers::shown_text(request.text("text"))),
-                         times ? answers::whole_cell(*times) : answers::missing_cell()};
+  if (request.text("text") == "hard") throw Undecided("hard is not decided");
+  const Row row{text_cell(shown_text(request.text("text"))),
+                times ? whole_cell(*times) : missing_cell()};
   return {{echo_columns, {row}, false}, ""};
 }
 
@@ -85,7 +84,7 @@ Answer compare(const Request& request) {
   const std::string numbers = magicmass::scenes::text_of(request.words.at(0));
   return command::page_of(command::comparisons(numbers), "text");
 }
-Answer words(const Request& request) { return document(answers::joined(request.words) + "\n"); }
+Answer words(const Request& request) { return document(joined(request.words) + "\n"); }
 
 }  // namespace
 
@@ -99,7 +98,7 @@ int main(int argc, char** argv) {
                   {"voice", "VOICE", "loud, soft", {"loud", "soft"}},
                   {"twice", "", "a flag"}},
       .run = echo,
-      .run_block = [](const answers::Rows&) { return answers::Block{echo_columns}; }};
+      .run_block = [](const Rows&) { return Block{echo_columns}; }};
   const command::Program program = {
       "rehearse",
       "A program for tests",
