@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // What the kernel proves again from its own rules: equations of terms built by +, *, /, roots, and
 // sines of parts of pi.
+#include <cmath>
+
 #include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
 
@@ -107,27 +109,53 @@ struct Roots {
     }
     return is_algebraic_term(out) ? std::optional(out) : std::nullopt;
   }
-  // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) and sqrt((a - d)/2), added or subtracted, where
-  // a is rational and the root of a rational is b; d^2 = a^2 - b^2.
-  std::optional<Expr> sum_of_roots(Expr root) {
-    if (!is_call(root, "sqrt")) return {};
-    const Sum sum = forms.of(root.arg(0));
+  /// What is a + b or a - b, where a and b^2 are rational.
+  struct Surd {
+    cln::cl_RA a, square;
+    bool is_sum;
+  };
+  std::optional<Surd> surd(Expr x) {
+    const Sum sum = forms.of(x);
     const cln::cl_RA a = sum.contains({}) ? sum.at({}) : cln::cl_RA(0);
     const Sum b = sum - number(a), squared = forms.of(kernel::power(forms.expression(b), 2));
     const auto square = notation::rational_value(forms.expression(squared));
+    if (!square || *square == 0) return {};
+    return Surd{a, *square, b.begin()->second > 0};
+  }
+  // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) and sqrt((a - d)/2), added or subtracted, where
+  // d^2 = a^2 - b^2.
+  std::optional<Expr> sum_of_roots(Expr root) {
+    const auto x = is_call(root, "sqrt") ? surd(root.arg(0)) : std::nullopt;
     cln::cl_RA d;
-    if (!square || *square == 0 || a * a < *square || !cln::sqrtp(a * a - *square, &d)) return {};
-    const Expr more = kernel::sqrt(Expr((a + d) / 2)), less = kernel::sqrt(Expr((a - d) / 2));
-    if (b.begin()->second > 0) return more + less;
+    if (!x || x->a * x->a < x->square || !cln::sqrtp(x->a * x->a - x->square, &d)) return {};
+    const Expr more = kernel::sqrt(Expr((x->a + d) / 2)), less = kernel::sqrt(Expr((x->a - d) / 2));
+    if (x->is_sum) return more + less;
     facts.push_back(not_zero(more - less, facts));
     return more - less;
+  }
+  // The cube roots of a + b and a - b have a product q and a sum t, t^3 = 3 q t + 2 a.
+  std::optional<Expr> of_cubes(Expr root) {
+    const Expr cube = definition(root)[0].arg(1);
+    const auto x = order_of(root) == 3 ? surd(cube) : std::nullopt;
+    cln::cl_RA q;
+    if (!x || !cln::rootp(cln::abs(x->a * x->a - x->square), 3, &q)) return {};
+    if (x->a * x->a < x->square) q = -q;
+    const cln::cl_RA m = cln::lcm(cln::denominator(q), cln::denominator(2 * x->a));
+    const double a = cln::double_approx(x->a), b = std::sqrt(cln::double_approx(x->square));
+    const double larger = std::cbrt(a < 0 ? a - b : a + b);
+    const double about = cln::double_approx(m) * (larger + cln::double_approx(q) / larger);
+    if (!(std::fabs(about) < 1e15)) return {};
+    const cln::cl_RA t = cln::cl_RA(cln::cl_I(std::llround(about))) / m;
+    if (t * t * t != 3 * q * t + 2 * x->a) return {};
+    const Expr half = kernel::sqrt(Expr(t * t / 4 - q));
+    return x->is_sum ? Expr(t / 2) + half : Expr(t / 2) - half;
   }
   void add(Expr e) {
     for (Expr part : e.args()) add(part);
     if (!is_root(e) || !seen.insert(kernel::canonical(e)).second) return;
     const Exprs is = definition(e);
     if (!is_call(e, "sqrt")) definitions.insert(is.begin(), is.end());
-    for (auto simpler : {&Roots::by_factors, &Roots::sum_of_roots})
+    for (auto simpler : {&Roots::sum_of_roots, &Roots::of_cubes, &Roots::by_factors})
       if (is_proved([&] {
             const auto t = (this->*simpler)(e);
             if (!t || kernel::canonical(*t) == kernel::canonical(e)) return false;
