@@ -188,7 +188,8 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
           : "any real type of double's precision and exponents, or better, with <cmath>'s "
             "functions; each operation is rounded as the type rounds. No error bound is derived: "
             "where terms cancel, the result has their absolute error, and few right digits where "
-            "it is far below them. Outside of its domain a function throws std::domain_error.";
+            "it is far below them; n times an angle has n times its error. Outside of its domain a "
+            "function throws std::domain_error.";
   result.header =
       broken(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
                      includes) +

@@ -82,7 +82,9 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
   for (const auto& [function, definition] : definitions()) {
     if (!word.starts_with(function) || word == function) continue;
     const std::string rest = word.substr(function.size());
-    if (rest.size() == 1 || is_greek_name(rest) || is_whole(rest))
+    const std::string name =
+        rest.substr(std::min(rest.find_first_not_of("0123456789"), rest.size()));
+    if (name.size() <= 1 || is_greek_name(name))
       return word + ": is " + function + "(" + rest + ") meant?";
   }
   const std::size_t bar = word.find('_');

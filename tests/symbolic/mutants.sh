@@ -56,7 +56,7 @@ bends() {
 {
   for path in "$room"/*.cpp; do guards "$path" 'refuse\(' 'void refuse' 's/refuse(/ignore(/'; done
   # Of names, the reasons why one is none are guards, too.
-  guards "$room/names.cpp" 'return (read_as_index|name \+|"\\"")' 'could be read' 's/return .*;/;/'
+  guards "$room/names.cpp" 'return (read_as_index|name \+|it->second|"\\"")' 'could be read' 's/return .*;/;/'
   bends
 } >"$work/mutants"
 count=$(($(tr -cd '\0' <"$work/mutants" | wc -c) / 3))

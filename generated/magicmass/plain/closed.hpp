@@ -3,7 +3,8 @@
 // The closed forms, for any real type of double's precision and exponents, or better, with
 //   <cmath>'s functions; each operation is rounded as the type rounds. No error bound is derived:
 //   where terms cancel, the result has their absolute error, and few right digits where it is far
-//   below them. Outside of its domain a function throws std::domain_error.
+//   below them; n times an angle has n times its error. Outside of its domain a function throws
+//   std::domain_error.
 // clang-format off
 #pragma once
 

@@ -13,7 +13,7 @@ constexpr std::size_t longest_scene = std::size_t{1} << 23U;  // 10^5 bodies wit
 const std::vector<std::string> all_kinds{"three-body", "wall", "chain"};  // as in Kind
 const std::vector<std::string> sides{"none", "left", "right", "both"};
 const std::vector<std::string> all_outputs{"counts", "terminal", "events", "trajectory", "energy"};
-constexpr std::int64_t most_blocks = 500'000;
+constexpr std::int64_t most_blocks = 300'000;
 
 /// What the file has for a key, and the scene that is read.
 struct Field {

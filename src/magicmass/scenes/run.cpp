@@ -124,6 +124,12 @@ Result exactly(const Scene& scene, Result result) {
   set_energies(scene, line, result);
   if (scene.wants("events") || scene.wants("trajectory"))
     result.known_until = motion<Quadratic>(scene, told(scene)).known_until;
+  const auto is_late = [&](const Value& time) {
+    return result.known_until && time.to_double() > double_of(*result.known_until);
+  };
+  if (scene.wants("trajectory") && std::ranges::any_of(scene.times, is_late))
+    throw Undecided(
+        "no places near a collapse or after it in exact numbers; possible without --exact");
   result.plan.is_exact = true;
   return result;
 }

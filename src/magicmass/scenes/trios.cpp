@@ -49,7 +49,8 @@ Found<Trios> Trios::of(const Scene& scene) {
   std::ranges::reverse(exact.masses);
   auto mirrored = of(exact.masses, simulator::mirrored(std::move(line)));
   if (mirrored) mirrored->is_mirrored_ = true;
-  return mirrored || cradle.why == ends || cradle.why == none_comes ? mirrored : cradle;
+  const auto rank = [](const Found<Trios>& r) { return std::pair(r.why != ends, r.why); };
+  return mirrored || rank(cradle) < rank(mirrored) ? mirrored : cradle;
 }
 
 Found<Trios> Trios::of(const std::vector<Value>& masses, const simulator::Line<Quadratic>& line) {

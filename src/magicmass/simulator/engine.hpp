@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The event engine: a collision costs O(log bodies), and a body is moved only when it is met.
+// The event engine: a collision costs O(log bodies), and a body is moved only when it is met. Eigen
+// would not serve: no step is one on all bodies.
 #pragma once
 
 #include <bit>
