@@ -71,7 +71,7 @@ private:
   /// x = 2 and x + y = 1 are put in: in both sides, and in what else is said of x.
   bool put_in_a_value() {
     for (const auto& [x, r] : domain.ranges)
-      if (r.is_point()) return put_in(x, r.low->value);
+      if (r.is_point() && put_in(x, r.low->value)) return true;
     for (const auto& [l, sign, r] : domain.further)
       for (const auto& [x, range] : domain.ranges) {
         const auto value = sign == "=" ? zero_of(l - r, x) : std::nullopt;
@@ -79,9 +79,18 @@ private:
       }
     return false;
   }
+  /// Of a negative base, which has no value where x is a fraction: put in, it might have one.
+  bool is_real_power_in(Expr e, Expr x) const {
+    Forms forms(domain);
+    if (is_call(e, "raised") && kernel::free_variables(e.arg(1)).contains(x) &&
+        is_proved([&] { return forms.is_positive(forms.of(-e.arg(0))); }))
+      return true;
+    return std::ranges::any_of(e.args(), [&](Expr part) { return is_real_power_in(part, x); });
+  }
   bool put_in(Expr x, Expr value) {
     const Range range = domain.ranges.at(x);
-    if (range.is_integer && !Forms(domain).is_integer(value)) return false;
+    const bool is_whole = Forms(domain).is_integer(value);
+    if (!is_whole && (range.is_integer || is_real_power_in(left - right, x))) return false;
     const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
     given += (given.empty() ? "" : ", ") + typed_text(x) + " = " + typed_text(value);
     const auto& [is_integer, low, high] = range;
