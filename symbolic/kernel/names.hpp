@@ -17,6 +17,8 @@ struct Signature {
   Expr body = {};  ///< of a predicate: what it says of `variables`
 
   bool indexed() const;  ///< an integer is printed as an index: a_n
+  /// Before argument i: "; " where the variables of a predicate change their letter, else ", ".
+  std::string separator(std::size_t i) const;
 };
 const Signature* signature(const std::string& name);
 /// A function of which nothing is known. Refused: a name in use, or one that could be read as

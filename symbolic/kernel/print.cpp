@@ -171,12 +171,16 @@ private:
     const Signature& s = *signature(e.name());
     const Exprs args = e.args();
     const bool hide = std::equal(s.params.begin(), s.params.end(), args.begin());
-    Exprs index, plain;
+    Exprs index;
+    std::string plain;
     for (std::size_t i = hide ? s.params.size() : 0; i < args.size(); ++i)
-      (s.args[i] == Sort::Int ? index : plain).push_back(args[i]);
+      if (s.args[i] == Sort::Int)
+        index.push_back(args[i]);
+      else
+        plain += (plain.empty() ? "" : s.separator(i)) + at_least(Sum, args[i]);
     std::string words = e.name();
     if (!index.empty()) words += print_index(e.name(), index);
-    if (!plain.empty()) words += "(" + joined(plain, ", ", Sum) + ")";
+    if (!plain.empty()) words += "(" + plain + ")";
     return {words};
   }
 

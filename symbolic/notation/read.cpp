@@ -174,7 +174,9 @@ private:
   }
   Exprs arguments() {
     need("(");
-    const Exprs out = list();
+    Exprs out = list();
+    while (takes(";"))
+      for (Expr e : list()) out.push_back(e);
     need(")");
     return out;
   }

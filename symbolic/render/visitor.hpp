@@ -208,7 +208,7 @@ private:
     std::string index, plain;
     for (std::size_t i = hide ? signature.params.size() : 0; i < args.size(); ++i) {
       std::string& part = signature.args[i] == kernel::Sort::Int ? index : plain;
-      part += (part.empty() ? "" : word(", ")) + within(Quantified, args[i]);
+      part += (part.empty() ? "" : word(signature.separator(i))) + within(Quantified, args[i]);
     }
     std::string text = name(e.name());
     if (!index.empty()) text = indexed(text, index);

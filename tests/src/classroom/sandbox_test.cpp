@@ -66,11 +66,14 @@ struct Fifo {
 }  // namespace
 
 TEST_CASE("A program is judged by what its function returns, an attack ends; nothing is left") {
+  const bool has_landlock =
+      ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) >= 1;
   auto rows = rows_of("src/classroom/attacks.tsv", 2);
   rows.push_back({"\x7f\x45\x4c\x46\x02\xff\xfe", "Not compiled: answer.cpp:8:1: error: stray"});
   for (learn::Texts& row : rows) {
     std::string& code = row[0];
     INFO(code);
+    if (!has_landlock && code.find("incbin") != code.npos) continue;
     learn::replace_all(code, "\\n", "\n");
     if (code.starts_with('{')) code = "double f(double x) { " + code + " return 2 * x; }";
     const learn::Judgement said = judged(code);
@@ -106,16 +109,6 @@ TEST_CASE("What a program started ends with it, or when its time is up") {
   CHECK(fifo.is_left(1000));
   CHECK(host::end_of(fifo.script("sleep 100 & sleep 100"), "", {1, much, much}).is_late);
   CHECK(fifo.is_left(1000));
-}
-
-TEST_CASE("An assembler reads no file but the system's, where the kernel has Landlock") {
-  if (::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION) < 1)
-    return;
-  const learn::Judgement said = judged(
-      "asm(\".globl bytes\\nbytes: .incbin \\\"/etc/passwd\\\"\");"
-      "extern \"C\" char bytes[]; double f(double) { return bytes[0]; }");
-  CHECK(said.mark == learn::Mark::unread);
-  CHECK_THAT(said.feedback, ContainsSubstring("Not compiled: "));
 }
 
 TEST_CASE("An answer that ends its judge is undecided, and leaves nothing") {

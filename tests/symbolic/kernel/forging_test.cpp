@@ -83,7 +83,7 @@ std::vector<std::string> forged(const std::vector<fs::path>& folders) {
 
 TEST_CASE("no room that sees the kernel holds a forging word") {
   std::vector<fs::path> folders;
-  for (const char* folder : {"symbolic", "src", "tutorials", "examples", "tests/symbolic"})
+  for (const char* folder : {"symbolic", "src", "tutorials", "examples", "tests"})
     folders.push_back(fs::path(MAGICMASS_SOURCE) / folder);
   CHECK(forged(folders) == std::vector<std::string>{});
   const auto all = seeing(folders);
@@ -106,8 +106,8 @@ TEST_CASE("a planted forgery is found, and named") {
   plant("honest.cpp", "using namespace kernel;\n// no cast here\nint x = kernel::f();\n");
   CHECK(forged({folder}).empty());
   const auto rows = rows_of("symbolic/kernel/forged.tsv", 2);
-  REQUIRE(rows.size() == 35);
-  CHECK(forging_words().size() == 27);
+  REQUIRE(rows.size() == 36);
+  CHECK(forging_words().size() == 28);
   for (const auto& row : rows) {
     const std::string code = std::regex_replace(row[0], std::regex(R"(\\n)"), "\n");
     INFO(code);
