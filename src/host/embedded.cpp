@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Made by CMake from the files that the program holds.
 #include "host/embedded.hpp"
 
 namespace host {
 
 const std::map<std::string, std::string>& embedded() {
-  static const std::map<std::string, std::string> all{@embedded_files@};
+  static const std::map<std::string, std::string> all{
+#include "embedded_files.txt"
+  };
   return all;
 }
 
