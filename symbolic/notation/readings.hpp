@@ -43,8 +43,7 @@ protected:
     const std::size_t last = words[at - 2].text == "^" ? at - 3 : at - 1;
     const bool brackets = words[slash + 1].text == "(" && words[last].text == ")";
     const Token& factor = words[at];
-    const bool is_call = factor.kind == Kind::Name && is_function(factor.text);
-    if (!factor.is_spaced || (!numbers && !brackets && !is_call))
+    if (!factor.is_spaced || (!numbers && !brackets && !is_call(factor)))
       refuse_at(factor.column, "is " + factor.text +
                                    " above or below the fraction line? write a * or parentheses");
     const std::string left = typed(from, at);
@@ -56,6 +55,12 @@ protected:
       if (words[i].is_spaced && words[i].kind != Kind::Sign && words[i - 1].kind != Kind::Sign)
         refuse_at(words[i].column,
                   "two conditions or a product? write a comma or a * before " + words[i].text);
+  }
+  // |x|y|z| is |x|*y*|z| or |x*|y|*z|.
+  void refuse_bars(std::size_t from) const {
+    for (std::size_t i = from; i + 1 < place; ++i)
+      if (words[i].text == "|" && words[place - 1].text != "|")
+        refuse_here("which | belong together? write abs(...)");
   }
   // Behind the slash of x^1/2 and x^3/2, but not of x^2/2.
   void note_fraction_after_power() {
@@ -72,7 +77,10 @@ protected:
     if (from > 1 && words[from - 1].text == "^")
       note(typed(from - 1, place) + " is read as ^(" + typed(from, place) + ")");
   }
-  bool is_call_ahead() const { return now().kind == Kind::Name && is_function(now().text); }
+  static bool is_call(const Token& token) {
+    return token.kind == Kind::Name && is_function(token.text);
+  }
+  bool is_call_ahead() const { return is_call(now()); }
 
   void note_base(Expr e) {  // e^x, log(e)
     if (name_of(e) == "e")

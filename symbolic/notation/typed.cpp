@@ -119,6 +119,7 @@ private:
         e = quotient(e, signed_factor(), sign.column);
       } else if (starts_factor()) {
         if (sign.kind == Kind::Number) refuse_here("an operator is missing before " + sign.text);
+        if (is("|")) refuse_bars(from);
         const std::size_t there = place;
         const Expr factor = power();
         if (slash != 0 && !is_matrix(factor)) read_after_slash(from, slash, there);
@@ -217,7 +218,9 @@ private:
     if (factors.contains(word)) return symbol(word);
     if (word == "i") note("i is read as a real number of its own");
     const std::string product = word.size() == 2 ? word.substr(0, 1) + "*" + word[1] : "with *";
-    if (word.size() > 1 && word.find('_') == npos && !is_greek_name(word))
+    const std::string index = word.substr(word.find('_') + 1);
+    const bool runs_on = index == word || (is_whole(index.substr(0, 1)) && !is_whole(index));
+    if (word.size() > 1 && runs_on && !is_greek_name(word))
       note(word + " is read as one name; a product is written " + product);
     return symbol(word);
   }
@@ -289,7 +292,8 @@ private:
            (token.is_latex || place == from + 1))
       e = e * primary();
     const std::string taken = typed(from, place), more = typed(from, place + 1);
-    if ((starts_factor() && !is_call_ahead()) || is("^") || (is("/") && !is_root))
+    const bool is_product = is("*") && !token.is_latex && !is_call(words[place + 1]);
+    if ((starts_factor() && !is_call_ahead()) || is("^") || (!is_root && (is("/") || is_product)))
       refuse_here(token.text + " " + more + "... has two readings: write " + token.text + "(" +
                   more + "...) or " + token.text + "(" + taken + ")" + now().text + "...");
     if (place > from + 1)
