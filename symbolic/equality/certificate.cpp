@@ -21,7 +21,10 @@ constexpr int most_work_of_15 = 3;  // whose sines are of more roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
-bool is_root(Expr e) { return root_exponent(e) && order_of(e) <= highest_order; }
+int order(Expr root) { return is_call(root, "abs") ? 2 : order_of(root); }
+bool is_root(Expr e) {
+  return is_call(e, "abs") || (root_exponent(e) && order_of(e) <= highest_order);
+}
 bool is_algebraic_term(Expr e) {
   if (e.op() == Op::Num || e.op() == Op::Var) return true;
   if (is_sine(e)) return multiple_of_pi(e.arg(0)).has_value();
@@ -59,9 +62,9 @@ Theorem not_zero(Expr c, const Theorems& facts) {
   proof.equations.emplace_back(inverse, kernel::assume(zero));
   return algebra::refute(zero, kernel::arithmetic(kernel::lt(0, 0), proof));
 }
-/// x^(k/n) is the r with r^n = x^k and, if n is even, 0 <= r.
+/// x^(k/n) is the r with r^n = x^k and, if n is even, 0 <= r; abs(x) is (x^2)^(1/2).
 Exprs definition(Expr root) {
-  const int k = whole(*root_exponent(root)), n = order_of(root);
+  const int n = order(root), k = is_call(root, "abs") ? 2 : whole(*root_exponent(root));
   const Expr x = kernel::power(root.arg(0), std::abs(k));
   Exprs out{kernel::eq(kernel::power(root, n), k < 0 ? 1 / x : x)};
   if (n % 2 == 0) out.push_back(kernel::le(0, root));
@@ -70,7 +73,7 @@ Exprs definition(Expr root) {
 Theorem root_is(Expr root, Expr t, const Theorems& facts) {
   if (is_call(root, "sqrt")) return algebra::root_is(root.arg(0), t, facts);
   const Theorems is = algebra::assumed(definition(root));
-  const Expr power = kernel::power(t, order_of(root));
+  const Expr power = kernel::power(t, order(root));
   Theorems signs(is.begin() + 1, is.end());
   if (!signs.empty()) signs.push_back(algebra::not_negative(t, facts));
   const Theorem of_t = algebra::equation(algebra::right(is[0]), power, facts);
@@ -136,7 +139,7 @@ struct Roots {
   // The cube roots of a + b and a - b have a product q and a sum t, t^3 = 3 q t + 2 a.
   std::optional<Expr> of_cubes(Expr root) {
     const Expr cube = definition(root)[0].arg(1);
-    const auto x = order_of(root) == 3 ? surd(cube) : std::nullopt;
+    const auto x = order(root) == 3 ? surd(cube) : std::nullopt;
     cln::cl_RA q;
     if (!x || !cln::rootp(cln::abs(x->a * x->a - x->square), 3, &q)) return {};
     if (x->a * x->a < x->square) q = -q;
@@ -171,7 +174,7 @@ struct Roots {
     for (bool strict : {false, true})
       if (const auto sign = algebra::sign_of(is[0].arg(1), facts, strict)) {
         const Expr goal = strict ? kernel::lt(0, e) : kernel::le(0, e);
-        known.push_back(algebra::by_powers(goal, order_of(e), known + Theorems{*sign}));
+        known.push_back(algebra::by_powers(goal, order(e), known + Theorems{*sign}));
       }
     facts = facts + known;
   }
