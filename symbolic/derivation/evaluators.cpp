@@ -18,26 +18,21 @@ Angle angle(Book& book) {
   know_for_good(linear(lt(0, T), {t, times(w_positive, alpha)}));
   const Theorem t_squared =
       book.show("t_squared", "t^2 is", equation(power(T, 2), of_alpha("z"), {t, under_root, z}));
-  // cos(2 atan t) = (1 - t^2)/(1 + t^2) = 1/(1 + alpha) = cos(psi/2)
-  const Theorem cosine_of_t = rewrite(turned(half_h), at("cos atan", {{x, T}}));
-  const Theorem sine_of_t = rewrite(turned(half_h), at("sin atan", {{x, T}}));
-  const Theorem cos_twice = equation(cos(2 * q), 1 / (1 + alpha), {cosine_of_t, t_squared, z}, {q});
-  const Theorem same = same_angle(chain(cos_twice, turned(book["rotation.cos_half_psi"])),
-                                  {half_h, positive(atan(T))});
-  const Theorem is_quarter = linear(eq(q, psi() / 4), {same});
+  const Theorem T_is = root_is(alpha / (2 + alpha), T, {t_squared, z});
+  const Theorem whole = rewrite(turned(half_h), rewrite(T_is, book["table.quarter_psi"]));
   const Theorem light = assume(le(alpha, 1));
   book.show(
       "z_at_most", "a third at most for a ball that is not heavier than a block:",
       linear(le(of_alpha("z"), rational(1, 3)), {z, times(light, rational(2, 3) / (2 + alpha))}));
-  book.show("psi", "psi is four times the arctangent of t:", linear(eq(psi(), 4 * q), {same}));
-  const Theorem tangent =
-      equation(T, sin(psi() / 4) / cos(psi() / 4),
-               {rewrite(is_quarter, sine_of_t), rewrite(is_quarter, cosine_of_t)});
-  return {is_quarter,
-          tangent,
-          linear(le(T, of_alpha("w")), {t, times(light, w_positive)}),
-          {equation(of_alpha("w"), T / alpha, {t}), tangent, part(book["power.quarter"], 1),
-           book["power.V_CM"]}};
+  book.show("psi", "psi is four times the arctangent of t:", whole);
+  const Theorem quarters = book["power.quarter"];  // cos^2 and cos sin
+  const Theorem tangent = cancel(eq(T, sin(psi() / 4) / cos(psi() / 4)), {positive(cos(psi() / 4))},
+                                 {t, under_root, quarters});
+  return {
+      linear(eq(q, psi() / 4), {whole}),
+      tangent,
+      linear(le(T, of_alpha("w")), {t, times(light, w_positive)}),
+      {equation(of_alpha("w"), T / alpha, {t}), tangent, part(quarters, 1), book["power.V_CM"]}};
 }
 
 /// Both velocities after P_n and both after Q_n, from one sine and one cosine.

@@ -7,13 +7,8 @@
 namespace derivation {
 using namespace algebra;
 
-inline const Expr alpha = real("alpha");
-inline const Expr V = real("V");
-inline const Expr n = integer("n");
-inline const Expr j = integer("j");
-inline const Expr k = integer("k");
-inline const Expr x = real("x");
-inline const Expr y = real("y");
+inline const Expr alpha = real("alpha"), V = real("V"), x = real("x"), y = real("y");
+inline const Expr n = integer("n"), j = integer("j"), k = integer("k");
 /// Masses of two bodies, of a block, and velocities before and after a collision.
 inline const Expr M_1 = real("M_1"), M_2 = real("M_2"), M = real("M");
 inline const Expr u_1 = real("u_1"), u_2 = real("u_2"), v_1 = real("v_1"), v_2 = real("v_2");

@@ -3,22 +3,6 @@
 #include "derivation/evaluators.hpp"
 
 namespace derivation {
-namespace {
-/// |- 0 <= x implies sqrt(x^2) = x
-Theorem root_of_square() {
-  const Expr s = sqrt(power(x, 2));
-  const Theorem s_from_0 = at("root not negative", {{x, power(x, 2)}});
-  return given(le(0, x), [&](const Theorem& x_from_0) {  // (s - x)(s + x) = 0
-    const auto not_above = [&](Expr l, Expr r) {
-      const Theorem above = assume(lt(r, l));
-      const Theorem sum = linear(lt(0, l + r), {above, s_from_0, x_from_0});
-      return otherwise(le(l, r), {times(above, sum), root_squared(not_negative(power(x, 2)))});
-    };
-    return linear(eq(s, x), {not_above(s, x), not_above(x, s)});
-  });
-}
-}  // namespace
-
 void terminal_forms(Book& book, const Angle& a) {
   book.chapter("evaluators_end", "Forms for evaluation: terminal velocities",
                {alpha_positive, V_positive});
@@ -45,7 +29,9 @@ void terminal_forms(Book& book, const Angle& a) {
                          f.name("t_minus", f("t_cosine") - f("rest_sine")),
                          f.name("w_plus", f("w_cosine") + f("rest_sine")),
                          f.name("b_form", 2 * f("w_plus") * f("t_cosine"))};
-  const Theorem root = root_of_square();
+  const auto size_of_rest = [&](Expr value, const Theorem& sign) {
+    return chain(rest_is, root_of(equation(power(value, 2), power(r, 2)), sign));
+  };
 
   // Q_n last: r > 0; P_n last: r <= 0.
   const auto in_case = [&](bool Q_last) {
@@ -57,7 +43,7 @@ void terminal_forms(Book& book, const Angle& a) {
           linear(Q_last ? lt(0, z - 2 * N_A()) : le(0, 2 * N_A() - z), {N_is, book["counting.N"]});
       const Expr value_is = Q_last ? r : -r;
       const Theorem sign = linear(le(0, value_is), {times(bound, psi())});
-      const Theorem size = chain(rest_is, at(root, {{x, value_is}}, {sign}));
+      const Theorem size = size_of_rest(value_is, sign);
       const Exprs quarter_turn{pi() / 2, angle};
       const Theorem sine = equation(f("rest_sine"), Q_last ? cos(angle) : -cos(angle),
                                     {rewrite(size, def_sine)}, quarter_turn);
@@ -88,7 +74,7 @@ void terminal_forms(Book& book, const Angle& a) {
   const Expr bounds_of_rest = logic_and({le(0, f("rest")), le(f("rest"), half_h)});
   const auto with_sign = [&](Expr sign, Expr value_is) {
     return given(sign, [&](const Theorem& t) {
-      const Theorem is = chain(rest_is, at(root, {{x, value_is}}, {linear(le(0, value_is), {t})}));
+      const Theorem is = size_of_rest(value_is, linear(le(0, value_is), {t}));
       return linear(bounds_of_rest, {is, t, r_up, r_down});
     });
   };

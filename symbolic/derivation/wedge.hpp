@@ -4,17 +4,10 @@
 #include "derivation/symbols.hpp"
 
 namespace derivation {
-inline const Expr M_A = real("M_A");
-/// 1/M_B, 0 for a wall.
-inline const Expr w_B = real("w_B");
-inline const Expr M_C = real("M_C");
-inline const Expr e = real("e");
-inline const Expr L = real("L");
-inline const Expr W = real("W");
-inline const Expr d_A = real("d_A");
-inline const Expr d_B = real("d_B");
-inline const Expr tau = real("tau");
-inline const Expr unit = real("unit");
+/// w_B is 1/M_B, 0 for a wall.
+inline const Expr M_A = real("M_A"), w_B = real("w_B"), M_C = real("M_C"), e = real("e");
+inline const Expr L = real("L"), W = real("W"), d_A = real("d_A"), d_B = real("d_B");
+inline const Expr tau = real("tau"), unit = real("unit");
 /// Positive masses, B perhaps a wall, and more.
 inline Exprs of_wedge(const Exprs& more) {
   return Exprs{lt(0, M_A), le(0, w_B), lt(0, M_C)} + more;
