@@ -197,8 +197,14 @@ void cycle_matrix(Book& book) {
         std::tuple{"Gamma_B_determinant", "the determinant of B's collision:", Gamma_B(), -1},
         std::tuple{"Lambda_determinant", "the determinant of the whole cycle:", Lambda(), 1}})
     book.show(name, words, equation(det(matrix_term), value, all_rules));
-  book.show("V_squared", "eq:V2", "so the length of V_n is kept:",
-            equation(times(transpose(V_vector(n)), V_vector(n)),
-                     times(transpose(V_vector(n - 1)), V_vector(n - 1)), {recurrence, of_cycle}));
+  const auto square = [](Expr i) { return times(transpose(V_vector(i)), V_vector(i)); };
+  const Theorem kept = book.show("V_squared", "eq:V2", "so the length of V_n is kept,",
+                                 equation(square(n), square(n - 1), {recurrence, of_cycle}));
+  book.show("V_length", "eq:V2", "and is always that of V_0:",
+            by_induction(n, eq(square(n), square(0)), equation(square(0), square(0)),
+                         [&](const Theorem& now) {
+                           const Theorem next = at(kept, {{n, n + 1}}, {assume(n_from_0)});
+                           return linear(eq(square(n + 1), square(0)), {canonical_form(next), now});
+                         }));
 }
 }  // namespace derivation

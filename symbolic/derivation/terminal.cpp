@@ -11,16 +11,13 @@ void kept_quantities(Book& book) {
   const Theorem momentum =
       book.show("momentum_Q", "After n cycles momentum is what it was (over M),",
                 equation(a(n) + b(n) + alpha * c_prime(n), V, velocities));
+  const Theorem vector = book["cycle.vector"];
+  const Theorems velocities_of{vector, at(vector, {{n, 0}})};
   const Theorem energy =
       book.show("energy_Q", "and energy (over M/2);",
-                equation(power(a(n), 2) + power(b(n), 2) + alpha * power(c_prime(n), 2), V2,
-                         velocities, {n * psi()}));
-  const Theorem vector = book["cycle.vector"];
-  const auto length = [](Expr i) { return times(transpose(V_vector(i)), V_vector(i)); };
-  book.show("V_length", "eq:V2", "so that the length of V_n is always that of V_0;",
-            equation(length(n), length(0),
-                     {vector, at(vector, {{n, 0}}), book["cycle.start_vector"],
-                      solved_for(power(a(n), 2), energy)}));
+                linear(eq(power(a(n), 2) + power(b(n), 2) + alpha * power(c_prime(n), 2), V2),
+                       {rewritten(velocities_of + parts({book["cycle.start_vector"]}),
+                                  book["cycle.V_length"])}));
   book.show("momentum_P", "so they are after P_n,",
             linear(eq(a(n) + b(n - 1) + alpha * c(n), V),
                    {one_before(momentum), book["cycle.momentum_P"]}));
