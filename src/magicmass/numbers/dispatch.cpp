@@ -6,7 +6,7 @@
 #include "magicmass/arithmetic/ieee.hpp"
 #include "magicmass/arithmetic/simd.hpp"
 #include "magicmass/numbers/errors.hpp"
-#include "magicmass/numbers/kernels.hpp"
+#include "magicmass/numbers/ladder.hpp"
 
 namespace magicmass::numbers {
 namespace baseline {
@@ -44,15 +44,10 @@ void check_arithmetic() {
   throw NotIeee(smallest / 2 == 0 ? "this thread flushes subnormal numbers to zero"
                                   : "this thread does not round to nearest");
 }
-const Kernels& kernels() {
-#ifndef NDEBUG
-  check_arithmetic();  // of single numbers, too: each takes its kernel here
-#endif
-  static const Kernels& chosen = []() -> const Kernels& {
-    const Target* t = targets;
-    while (!t->runs()) ++t;
-    return *t->table;
-  }();
-  return chosen;
+const Kernels& choose() {
+  const Target* t = targets;
+  while (!t->runs()) ++t;
+  chosen.store(t->table, std::memory_order_relaxed);
+  return *t->table;
 }
 }  // namespace magicmass::numbers

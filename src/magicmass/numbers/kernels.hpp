@@ -57,8 +57,6 @@ struct Kernels {
 };
 /// Throws NotIeee where this thread does not round to nearest, or loses subnormal numbers.
 void check_arithmetic();
-/// The best table that this processor can run. In debug builds: after check_arithmetic().
-const Kernels& kernels();
 /// Tables by name, for tests: null where the processor cannot run them.
 const Kernels* kernels_named(const char* name);
 }  // namespace magicmass::numbers

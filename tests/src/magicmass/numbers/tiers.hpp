@@ -10,7 +10,7 @@
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
-#include "magicmass/numbers/kernels.hpp"
+#include "magicmass/numbers/ladder.hpp"
 
 namespace magicmass::testing {
 /// The public functions of a tier.
