@@ -50,11 +50,16 @@ public:
     return left - right;
   }
   bool is_zero(Expr e) const { return terms_.are_equal(e, 0); }
-  /// Of e = 0. Also notes where it has no value.
-  Mark truth(Expr e, std::size_t line, Texts& notes) const {
-    const Judgement said = terms_.compare(kernel::substitute(e, truth_), 0);
+  /// Of an equation, with a counterexample. Also notes where it has no value.
+  Judgement truth(const notation::Typed& e, std::size_t line, Texts& notes) const {
+    const Expr left = kernel::substitute(e.term, truth_);
+    const Expr right = kernel::substitute(e.right, truth_);
+    Judgement said = terms_.compare(left - right, 0);
     add_gaps(said, line, notes);
-    return said.mark;
+    if (said.mark == Mark::wrong) said = terms_.compare(left, right);
+    replace_all(said.feedback, " yours is ", " its left side is ");
+    replace_all(said.feedback, "; it should be ", ", its right side ");
+    return said;
   }
   bool has_unknowns(Expr e) const { return kernel::substitute(e, truth_) != e; }
   /// One is the other times something without unknowns: e(v) f(w) = e(w) f(v) for all v and w.
@@ -122,12 +127,12 @@ private:
 
 Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) {
   const Equations equations(terms);
-  notation::Typed last;
+  std::vector<notation::Typed> all;
   kernel::Exprs differences;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    last = typed(terms, lines[i], i, notes);
-    if (!last.right) kernel::refuse(line_name(i) + " is no equation; each line should have one =");
-    differences.push_back(last.term - last.right);
+    const notation::Typed& e = all.emplace_back(typed(terms, lines[i], i, notes));
+    if (!e.right) kernel::refuse(line_name(i) + " is no equation; each line should have one =");
+    differences.push_back(e.term - e.right);
   }
   for (std::size_t i = 0; i < differences.size(); ++i) {
     const Expr e = differences[i];
@@ -135,14 +140,15 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
     const std::string the_line = "Line " + std::to_string(i + 1);
     if (equations.is_zero(e))
       return {Mark::incomplete, the_line + " says nothing: it holds for all velocities."};
-    const Mark mark = equations.truth(e, i, notes);
-    if (mark == Mark::undecided)
-      return {mark, "It could not be decided whether " + line_name(i) + " is true."};
-    if (mark == Mark::wrong) {
+    const Judgement said = equations.truth(all[i], i, notes);
+    if (said.mark == Mark::undecided)
+      return {said.mark, "It could not be decided whether " + line_name(i) + " is true."};
+    if (said.mark == Mark::wrong) {
       const auto was_given = [&](const std::string& answer) {
         return equations.are_proportional(e, equations.content(answer));
       };
-      return mistake(terms.exercise, was_given, the_line + " is not true of this motion.");
+      return mistake(terms.exercise, was_given,
+                     the_line + " is not true of this motion. " + said.feedback);
     }
     if (!equations.follows(e, before)) {
       const std::string missing = equations.missing_law(differences);
@@ -157,7 +163,8 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
                                           line_name(i) + ".")};
     }
   }
-  const Expr left = last.term, right = last.right, name = terms.content(terms.exercise.name);
+  const Expr left = all.back().term, right = all.back().right,
+             name = terms.content(terms.exercise.name);
   if ((left != name || equations.has_unknowns(right)) &&
       (right != name || equations.has_unknowns(left)))
     return {Mark::incomplete, "Every line is right, but the end is missing: " +
@@ -212,8 +219,8 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
         return {Mark::undecided, "It could not be decided whether " + shown + " in " +
                                      line_name(i) + " is equal to " + what + "."};
       if (compared.mark == Mark::wrong) {
-        const std::string differs =
-            "In " + line_name(i) + ", " + shown + " is not equal to " + what + ".";
+        const std::string differs = "In " + line_name(i) + ", " + shown + " is not equal to " +
+                                    what + ". " + compared.feedback;
         const Judgement said = is_aside || is_finished() ? Judgement{Mark::wrong, differs}
                                                          : terms.mistake(given, differs);
         if (!is_left || !said.misconception.empty()) return said;
