@@ -98,12 +98,9 @@ int Builder::input(const std::string& name, bool is_whole, Interval range, bool 
 }
 int Builder::constant(const cln::cl_RA& value, bool of_pi) {
   const bool is_exact = !is_plain() && !of_pi && is_double(value);
-  const bool is_whole = is_exact && cln::denominator(value) == 1;
-  return add({.op = Op::constant,
-              .value = value,
-              .of_pi = of_pi,
-              .is_exact = is_exact,
-              .is_whole = is_whole});
+  Node n{.op = Op::constant, .value = value, .of_pi = of_pi, .is_exact = is_exact};
+  n.is_whole = is_exact && cln::denominator(value) == 1;
+  return add(n);
 }
 int Builder::scaled(int x, double by) {
   if (by == 1) return x;

@@ -121,8 +121,7 @@ private:
     }
     for (const auto& [why, formulas] : facts) line("/// " + joined(formulas, ", ") + ": " + why);
     line("/// Operations: " + operation_counts(p) + ".");
-    line("template <class Tier, class N>\nstruct " + name +
-         " {\n  using T = typename N::Value;\n  using R = typename N::Result;");
+    line("template <class Tier, class N>\nstruct " + name + " {\n  using T = typename N::Value;");
     const std::set<int> kept = members();
     Words exact, numbers, results{"doubt{}"};
     for (const Input& i : q.inputs) exact.push_back(i.name());
@@ -130,7 +129,7 @@ private:
     for (const Result& r : p.results)
       if (r.kind == Result::real) results.push_back(r.name);
     line(fields("T", exact));
-    line(fields("R", results));
+    line(fields("typename N::Result", results));
     if (!numbers.empty()) line(fields("N", numbers));
     if (width > 0)
       line("  static constexpr double bounds[4][" + std::to_string(width) +
@@ -301,9 +300,8 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
       (q.has_arrays ? "using arithmetic::load, arithmetic::Simd, arithmetic::SimdMask, "
                       "arithmetic::store, arithmetic::to_real, arithmetic::to_whole;\n"
                     : "") +
-      structures(q) + e.header + "/// What its callers need to know of " + q.name + ".\nstruct " +
-      Q + " {\n  using Inputs = " + Q + "Inputs;\n  using Outputs = " + Q + "Outputs;\n" +
-      of_arrays +
+      structures(q) + e.header + "struct " + Q + " {\n  using Inputs = " + Q +
+      "Inputs;\n  using Outputs = " + Q + "Outputs;\n" + of_arrays +
       "  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, "
       "underflow.\n"
       "  template <bool is_wide, class F>\n"

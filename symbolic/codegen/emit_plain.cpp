@@ -136,8 +136,8 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
         "template <class Number>\nstruct " + structure + " {\n  Number " + outputs + ";\n};\n";
   e.header +=
       "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
-  if (!theorems.empty()) e.header += "/// Theorems: " + theorems + ".\n";
-  e.header += "/// Operations: " + joined(counts, "; or ") + ".\n";
+  e.header += theorems.empty() ? "/// " : "/// Theorems: " + theorems + ". ";
+  e.header += "Operations: " + joined(counts, "; or ") + ".\n";
   if (!ceilings.empty())
     e.header +=
         "/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
@@ -187,9 +187,8 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
             "std::domain_error; others are not tested: a field need have no order."
           : "any real type of double's precision and exponents, or better, with <cmath>'s "
             "functions; each operation is rounded as the type rounds. No error bound is derived: "
-            "where terms cancel, the result has their absolute error, and few right digits where "
-            "it is far below them; n times an angle has n times its error. Outside of its domain a "
-            "function throws std::domain_error.";
+            "where terms cancel, the result has their absolute error; n times an angle has n "
+            "times its error. Outside of its domain a function throws std::domain_error.";
   result.header =
       broken(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
                      includes) +

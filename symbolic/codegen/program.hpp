@@ -115,14 +115,14 @@ struct Fact {
 /// follows from the intervals: of the quantity, met with those of `where`.
 struct Case {
   std::string name;
-  std::vector<Condition> where;
+  std::vector<Condition> where = {};
   /// `name(params) = term`, in order; they name the nodes.
-  Theorems definitions;
+  Theorems definitions = {};
   /// `output(params) = term`; an input with a one-point interval may stand as that number.
-  Theorems outputs;
-  std::vector<Fact> facts;
+  Theorems outputs = {};
+  std::vector<Fact> facts = {};
   /// Named nodes that must be within their open intervals; else the row is left in doubt.
-  std::vector<Condition> guards;
+  std::vector<Condition> guards = {};
   /// Named nodes that must be above 2^23 times the bound of their errors; else as above. They
   /// are the divisors without a relative bound.
   std::vector<std::string> divisors = {};

@@ -35,29 +35,18 @@ int Builder::build(Expr e) {
   return nodes[e] = made(e);
 }
 int Builder::made(Expr e) {
-  switch (e.op()) {
-    case kernel::Op::Num:
-      return constant(e.value());
-    case kernel::Op::Add: {
-      int s = build(e.arg(0));
-      for (std::size_t k = 1; k < e.size(); ++k) s = sum(s, build(e.arg(k)));
-      return s;
-    }
-    case kernel::Op::Mul:
-      return product(e.args());
-    case kernel::Op::Pow: {
-      const int base = build(e.arg(0));
-      int p = base;
-      for (int k = 1; k < e.exponent(); ++k) p = product(p, base);
-      return p;
-    }
-    case kernel::Op::Fun:
-      return function(e);
-    case kernel::Op::Var:
-      throw Refused(kernel::text(e) + " is no input");
-    default:
-      throw Refused("no operation for " + kernel::text(e));
-  }
+  if (e.op() == kernel::Op::Num) return constant(e.value());
+  if (e.op() == kernel::Op::Mul) return product(e.args());
+  if (e.op() == kernel::Op::Fun) return function(e);
+  if (e.op() == kernel::Op::Var) throw Refused(kernel::text(e) + " is no input");
+  if (e.op() != kernel::Op::Add && e.op() != kernel::Op::Pow)
+    throw Refused("no operation for " + kernel::text(e));
+  const int first = build(e.arg(0));
+  int r = first;
+  for (std::size_t k = 1; e.op() == kernel::Op::Add && k < e.size(); ++k)
+    r = sum(r, build(e.arg(k)));
+  for (int k = 1; e.op() == kernel::Op::Pow && k < e.exponent(); ++k) r = product(r, first);
+  return r;
 }
 int Builder::function(Expr e) {
   static const std::map<std::string, Op> operations{

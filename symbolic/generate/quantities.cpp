@@ -70,16 +70,11 @@ private:
   std::string entry;
   codegen::Words words;  // of the entry
   std::map<std::string, codegen::Words> lets;
-  std::string form, name;  // of what is next
-  std::vector<Condition> where;
+  std::string form;  // of what is next
 
   codegen::Quantity& quantity() { return made.all.back().quantity; }
   Case& last() { return quantity().cases.back(); }
   std::string text() const { return codegen::joined(words, " "); }
-  void begin_case(const std::string& called) {
-    name = called;
-    where.clear();
-  }
   /// "alpha 0 1 n 0 5 0 9"
   std::vector<Condition> ranges() const {
     std::vector<Condition> all;
@@ -109,7 +104,6 @@ private:
       {"quantity:",
        [this] {
          made.all.push_back({{text(), "", {}, {}, made.source.units}, form});
-         begin_case("all");
        }},
       {"labels:", [this] { quantity().labels = text(); }},
       {"arrays:", [this] { quantity().has_arrays = true; }},
@@ -130,12 +124,12 @@ private:
          for (codegen::Input& i : quantity().inputs)
            i.may_be_zero = std::ranges::count(words, i.name()) > 0;
        }},
-      {"case:", [this] { begin_case(text()); }},
-      {"where:", [this] { where = ranges(); }},
+      {"case:", [this] { quantity().cases.push_back({text()}); }},
+      {"where:", [this] { last().where = ranges(); }},
       {"theorems:",
        [this] {
-         const kernel::Substitution& units = quantity().units;
-         quantity().cases.push_back(made.source.of(name, where, text(), units));
+         if (quantity().cases.empty()) quantity().cases.push_back({"all"});
+         last() = made.source.of(last().name, last().where, text(), quantity().units);
        }},
       {"facts:",
        [this] {

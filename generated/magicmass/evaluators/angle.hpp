@@ -28,9 +28,8 @@ struct AngleOutputs {
 template <class Tier, class N>
 struct AngleGeneral {
   using T = typename N::Value;
-  using R = typename N::Result;
   T alpha;
-  R doubt{}, psi;
+  typename N::Result doubt{}, psi;
   N z, half_h, of_psi;
   static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.7d1p-53},
@@ -56,7 +55,6 @@ struct AngleGeneral {
     doubt = doubt + doubt_of_range(z, 0x0p+0, (N::is_wide ? 0x1p+1 : 0x1.5555555555556p-2));
   }
 };
-/// What its callers need to know of angle.
 struct Angle {
   using Inputs = AngleInputs;
   using Outputs = AngleOutputs;

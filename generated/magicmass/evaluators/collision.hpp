@@ -32,9 +32,8 @@ struct CollisionOutputs {
 template <class Tier, class N>
 struct CollisionSmall {
   using T = typename N::Value;
-  using R = typename N::Result;
   T alpha, j;
-  R doubt{}, when, apart;
+  typename N::Result doubt{}, when, apart;
   N t, half_h, half_phase, half_sine, t2, t4;
   static constexpr double bounds[4][6] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.295p-52, 0x1.c54p-102, 0x1.865p-50, 0x1.295p-52, 0x1.1bbp-51, 0x1.295p-29},
@@ -90,9 +89,8 @@ struct CollisionSmall {
 template <class Tier, class N>
 struct CollisionFirst {
   using T = typename N::Value;
-  using R = typename N::Result;
   T alpha, j;
-  R doubt{}, when, apart;
+  typename N::Result doubt{}, when, apart;
   N t1, of_when;
   static constexpr double bounds[4][2] = {  // of Fast, Accurate, Slow, Ziv
       {0x0p+0, 0x0p+0},
@@ -114,7 +112,6 @@ struct CollisionFirst {
     apart = rounded_by<Tier>(of_when, size_of(t1) * E[1], doubt);
   }
 };
-/// What its callers need to know of collision.
 struct Collision {
   using Inputs = CollisionInputs;
   using Outputs = CollisionOutputs;

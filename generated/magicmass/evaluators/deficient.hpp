@@ -26,9 +26,8 @@ struct DeficientOutputs {
 template <class Tier, class N>
 struct DeficientGeneral {
   using T = typename N::Value;
-  using R = typename N::Result;
   T k;
-  R doubt{}, beta_;
+  typename N::Result doubt{}, beta_;
   N deficient_sine, of_beta_;
   static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.494p-54},
@@ -61,7 +60,6 @@ struct DeficientGeneral {
     beta_ = rounded_by<Tier>(of_beta_, size_of(of_beta_) * E[0], doubt);
   }
 };
-/// What its callers need to know of deficient.
 struct Deficient {
   using Inputs = DeficientInputs;
   using Outputs = DeficientOutputs;

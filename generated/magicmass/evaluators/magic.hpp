@@ -26,9 +26,8 @@ struct MagicOutputs {
 template <class Tier, class N>
 struct MagicGeneral {
   using T = typename N::Value;
-  using R = typename N::Result;
   T k;
-  R doubt{}, alpha_;
+  typename N::Result doubt{}, alpha_;
   N magic_sine, of_alpha_;
   static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.232p-54},
@@ -61,7 +60,6 @@ struct MagicGeneral {
     alpha_ = rounded_by<Tier>(of_alpha_, size_of(of_alpha_) * E[0], doubt);
   }
 };
-/// What its callers need to know of magic.
 struct Magic {
   using Inputs = MagicInputs;
   using Outputs = MagicOutputs;

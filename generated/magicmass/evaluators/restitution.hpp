@@ -40,9 +40,8 @@ struct RestitutionOutputs {
 template <class Tier, class N>
 struct RestitutionGeneral {
   using T = typename N::Value;
-  using R = typename N::Result;
   T M_C, w_B, e, N_e, t32, t33;
-  R doubt{}, a_end, b_end, c_end, rho_end;
+  typename N::Result doubt{}, a_end, b_end, c_end, rho_end;
   N all_e, side_e, root_e, loss_e, share_e, z_e, t20, sine_e, t26, distance, to_next, span_e,
       left_e, next_e, power_e, last_reach_e, open_reach_e, last_sine_e, open_sine_e, t37;
   static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
@@ -167,7 +166,6 @@ struct RestitutionGeneral {
     doubt = doubt + doubt_of_range(parted_e, -0x1p+0, 0x1p+3);
   }
 };
-/// What its callers need to know of restitution.
 struct Restitution {
   using Inputs = RestitutionInputs;
   using Outputs = RestitutionOutputs;

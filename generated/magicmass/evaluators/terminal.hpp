@@ -53,9 +53,8 @@ struct TerminalColumns {
 template <class Tier, class N>
 struct TerminalSmall {
   using T = typename N::Value;
-  using R = typename N::Result;
   T alpha, N_A, N_B;
-  R doubt{}, a_t, b_t, c_t, rho;
+  typename N::Result doubt{}, a_t, b_t, c_t, rho;
   N w, t, half_h, t4, rest, to_next, rest_sine, rest_cosine;
   static constexpr double bounds[4][12] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.2ap-52, 0x1.5adp-106, 0x1.e08p-53, 0x1.c94p-53, 0x1.6f5p-52, 0x1.e08p-51, 0x1.c94p-51,
@@ -144,9 +143,8 @@ struct TerminalSmall {
 template <class Tier, class N>
 struct TerminalFirst {
   using T = typename N::Value;
-  using R = typename N::Result;
   T alpha;
-  R doubt{}, a_t, b_t, c_t, rho;
+  typename N::Result doubt{}, a_t, b_t, c_t, rho;
   N of_a_t, t2, of_b_t, t4, of_c_t, of_rho;
   static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
@@ -181,7 +179,6 @@ struct TerminalFirst {
     rho = rounded_by<Tier>(of_rho, size_of(of_rho) * E[3], doubt);
   }
 };
-/// What its callers need to know of terminal.
 struct Terminal {
   using Inputs = TerminalInputs;
   using Outputs = TerminalOutputs;

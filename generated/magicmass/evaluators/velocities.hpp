@@ -49,9 +49,8 @@ struct VelocitiesColumns {
 template <class Tier, class N>
 struct VelocitiesSmall {
   using T = typename N::Value;
-  using R = typename N::Result;
   T alpha, n, t2;
-  R doubt{}, a, b, c, c_prime;
+  typename N::Result doubt{}, a, b, c, c_prime;
   N w, t, half_h, phase, sine, cosine;
   static constexpr double bounds[4][7] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.48p-52, 0x1.48p-52, 0x1.a43p-104, 0x1.6a7p-51, 0x1.949p-51, 0x1.32fp-50, 0x1.05ap-50},
@@ -123,9 +122,8 @@ struct VelocitiesSmall {
 template <class Tier, class N>
 struct VelocitiesFirst {
   using T = typename N::Value;
-  using R = typename N::Result;
   T alpha, n;
-  R doubt{}, a, b, c, c_prime;
+  typename N::Result doubt{}, a, b, c, c_prime;
   N per_mass, of_a, t2, of_b, of_c, t4, of_c_prime;
   static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
       {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
@@ -159,7 +157,6 @@ struct VelocitiesFirst {
     c_prime = rounded_by<Tier>(of_c_prime, size_of(t4) * E[3], doubt);
   }
 };
-/// What its callers need to know of velocities.
 struct Velocities {
   using Inputs = VelocitiesInputs;
   using Outputs = VelocitiesOutputs;

@@ -39,8 +39,8 @@ struct VelocitiesExact {
 /// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha > 0,
 ///   n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904.
 /// Theorems: cycle.start_vector, cycle.c_start, power.V_CM, exact.b_before, exact.a, exact.b,
-///   exact.c, exact.c_prime.
-/// Operations: none; or products: 6, quotients: 3, sums: 9, and those of the calls.
+///   exact.c, exact.c_prime. Operations: none; or products: 6, quotients: 3, sums: 9, and those of
+///   the calls.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   if (n >= 0 && n <= 0) {
@@ -69,7 +69,7 @@ struct TerminalExact {
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain:
 ///   alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904.
 /// Theorems: power.V_CM, exact.a_t, exact.b_t, terminal.definitions, evaluators_end.def_rho.
-/// Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
+///   Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std::int64_t N_B) {
   if (!(N_A >= 1 && N_A <= 4611686018427387904 && N_B >= 1 && N_B <= 4611686018427387904))
@@ -91,8 +91,7 @@ struct ShapeExact {
   Number K, q_e;
 };
 /// shape: K, q_e. Domain: M_A > 0, w_B >= 0, M_C > 0, e > 0.
-/// Theorems: collapse.def_K, bodies.def_q_e.
-/// Operations: products: 3, quotients: 4, sums: 4.
+/// Theorems: collapse.def_K, bodies.def_q_e. Operations: products: 3, quotients: 4, sums: 4.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e) {
@@ -111,8 +110,8 @@ struct TwoCollisionsExact {
 /// Theorems: evaluators_restitution.def_taken_two, evaluators_restitution.def_ends,
 ///   evaluators_restitution.def_two, evaluators_restitution.def_four,
 ///   evaluators_restitution.def_six, evaluators_restitution.a_two, evaluators_restitution.b_two,
-///   evaluators_restitution.c_two, evaluators_restitution.def_rho_two.
-/// Operations: products: 16, quotients: 5, sums: 9.
+///   evaluators_restitution.c_two, evaluators_restitution.def_rho_two. Operations: products: 16,
+///   quotients: 5, sums: 9.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number& w_B, const Number&
     e) {

@@ -4,8 +4,7 @@
 namespace codegen {
 Program named(const Program& p) {
   Program r = p;
-  std::set<std::string> taken{"T",     "N",       "R",   "E",  "Tier",
-                              "doubt", "columns", "row", "in", "tested"};
+  std::set<std::string> taken{"T", "N", "E", "Tier", "doubt", "columns", "row", "in", "tested"};
   for (const Result& out : p.results)
     if (out.kind == Result::real && p[out.node].name != out.name) taken.insert(out.name);
   for (const Node& n : p.nodes)
