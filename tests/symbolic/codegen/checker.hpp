@@ -1,165 +1,196 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// An independent check of the printed bounds of all tiers and of MPFR, outputs and signs. At random
-// points of a case it walks the theorems' terms itself, in balls, and lets each operation lose what
-// the table of operations allows; of the analysis it sees the printed text alone. A printed bound
-// below what is found is too small. A named value is checked and then taken to be as far off as is
-// printed: the next step's bound has to hold for that, and parts of one sum that are largest at
-// different points do not hide that it is halved.
+// An independent check of what each term of a theorem may be off by, in all tiers and MPFR: it sees
+// nothing of the generator, nor of its table. At a point of a case it walks the theorems' terms
+// itself, in balls, and counts the roundings of the runtime's operations, each at most half an ulp,
+// in the order of double_double.hpp and functions.hpp. Functions count as at the end of their
+// domain, where they lose most.
 #pragma once
 #include <algorithm>
+#include <bit>
 #include <cmath>
-#include <regex>
-#include <sstream>
+#include <span>
 
 #include "balls/ball.hpp"
-#include "codegen/lower.hpp"
-#include "codegen/operations.hpp"
+#include "kernel/theorem.hpp"
+#include "magicmass/evaluators/polynomials.hpp"
 
 namespace checker {
 using balls::Ball;
 using cln::cl_RA;
-using codegen::NumberType;
 using kernel::Expr;
 using kernel::Op;
-/// An error bound as it is printed for a reader: "2^-73.7 |P| + 2^-147.4".
-struct Bound {
-  std::string text;
-  double share = 1;  // what the unnamed value whose size it may have is of the value: a power of 2
-
-  /// With the sizes of values at a point; an unnamed one is a share of the value's own.
-  double evaluated(const auto& values, double own) const {
-    std::istringstream words(text + " +");
-    double sum = 0;
-    double product = 1;
-    for (std::string word; words >> word;) {
-      if (word == "+") {
-        sum += product;
-        product = 1;
-      } else if (word[0] != '|') {
-        product *= word == "0" ? 0 : std::exp2(std::stod(word.substr(2)));
-      } else {
-        const auto found = values.find(word.substr(1, word.size() - 2));
-        product *= found == values.end() ? own * share : found->second.size;
-      }
-    }
-    return sum;
-  }
-};
-using Printed = std::map<std::string, Bound>;
-/// The bounds below a heading: "STEP plus", "OUTPUT a", "SIGN distance".
-inline Printed bounds_in(const std::string& errors, const std::string& heading) {
-  Printed r;
-  const std::size_t from = errors.find(heading + "\n");
-  std::istringstream lines(errors.substr(from, errors.find("\n\n", from) - from));
-  static const std::regex single("2\\^(\\S+) \\|(t[0-9]+)\\|");
-  std::smatch term;
-  std::map<std::string, double> exponents, shares;  // of unnamed values
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t colon = line.find(": ");
-    if (!line.starts_with("  ") || colon == std::string::npos) continue;
-    const std::string name = line.substr(2, colon - 2);
-    const bool is_step = name.find(' ') == std::string::npos;
-    if (!is_step && !name.starts_with("OUTPUT ") && !name.starts_with("SIGN ")) continue;
-    std::string text = line.substr(colon + 2, line.find(';') - colon - 2);
-    if (text.starts_with("off by ")) text.erase(0, 7);
-    Bound& bound = r[(is_step ? "STEP " : "") + name] = {text};
-    if (text.size() > 99 || !std::regex_match(text, term, single)) continue;
-    const std::string unnamed = term[2];
-    const double exponent = std::stod(term[1]);
-    if (is_step)
-      shares[unnamed] = std::exp2(exponents.insert({unnamed, exponent}).first->second - exponent);
-    bound.share = shares.insert({unnamed, 1}).first->second;
-  }
-  return r;
-}
-
-constexpr double u = 0x1p-53;
-constexpr double clear = 0x1p23;      // a divisor is tested to be so many times its error
-constexpr double printed_up = 0.933;  // exponents are printed up to the next 0.1
+namespace generated = magicmass::generated;
 
 inline Ball magnitude(const Ball& x) { return x.high() <= 0 ? -x : x; }
 inline double size_of(const Ball& x) {
   return cln::double_approx(cln::max(cln::abs(x.low()), cln::abs(x.high())));
 }
+/// A double that is at most `size`, and so far off.
+struct Rounded {
+  double size, off = 0;
+  Rounded operator*(double by) const { return {by * size, by * off}; }
+};
+/// What is computed for x; as far off as is said of its low part.
 struct Value {
   Ball x;
-  double off = 0;      // how far a computed value may be from x
-  double loose = 0;    // its low part is at most that, relative
+  Rounded low = {0};
   bool exact = false;  // a plain double
   double size = size_of(x);
+  double loose() const { return size == 0 ? 0 : low.size / size; }
+  bool is_power_of_2() const { return exact && size > 0 && std::exp2(std::ilogb(size)) == size; }
+  bool is_whole() const { return exact && cln::denominator(x.low()) == 1; }
 };
-inline Value just(const cl_RA& x) { return {x, 0, 0, true}; }
+inline Value magnitude(const Value& v) { return {magnitude(v.x), v.low, v.exact}; }
+inline bool is_double(const cl_RA& x) { return balls::exact(cln::double_approx(x)) == x; }
+inline Value just(const cl_RA& x) { return {x, {0}, true}; }
+inline Value with_low(double x, double low) { return {Ball(x), {low}}; }
+
+/// In DoubleDouble with a tier's polynomials, or in MPFR, which Ziv stands for.
+template <class Tier>
 class Point {
 public:
+  static constexpr bool is_pair = !std::is_same_v<Tier, generated::Ziv>;
+  static constexpr double u = is_pair ? 0x1p-53 : 0;  // of a pair's doubles
+  static constexpr double unit =
+      is_pair ? 0 : 0x1p-180;  // of MPFR: what its bounds are printed for
   std::map<Expr, Value> known;
   std::map<std::string, Value> named;  // inputs; other values as far off as is printed
   std::map<std::string, Value> signs;
   std::map<Expr, Expr> squares;  // what an arctangent's argument squared is
 
-  explicit Point(const NumberType& type) : t(type) {}
   void put(Expr input, const cl_RA& x) { named[input.name()] = known[input] = just(x); }
   Value of(Expr e) {
     if (const auto found = known.find(e); found != known.end()) return found->second;
     return known[e] = computed(e);
   }
-  /// Returns what is found; from then on the value is off by what is printed, if that is more.
-  Value define(const kernel::Theorem& theorem, const Printed& steps) {
-    const Expr name = theorem.conclusion().arg(0);
-    const Value found = of(theorem.conclusion().arg(1));
-    Value v = named[name.name()] = found;
-    if (const auto step = steps.find("STEP " + name.name()); step != steps.end())
-      v.off = std::max(v.off, step->second.evaluated(named, v.size) * printed_up);
-    named[name.name()] = known[name] = v;
-    return found;
-  }
 
 private:
-  NumberType t;
-
-  static Value lossy(const Ball& x, double off, codegen::Loss l) {
-    return {x, off + l.loss * size_of(x), l.loose};
+  static Rounded fused(Rounded x, Rounded y, Rounded z) {
+    const double size = x.size * y.size + z.size;
+    return {size, x.size * y.off + x.off * (y.size + y.off) + z.off + u * size};
   }
-  static bool is_power_of_2(const Value& v) {
-    return v.exact && v.size > 0 && std::exp2(std::round(std::log2(v.size))) == v.size;
+  static Rounded sum(Rounded x, Rounded y) { return fused({1}, x, y); }
+  static Value pair(const Ball& x, Rounded low) {
+    return {x, {low.size, low.off + unit * size_of(x)}};
   }
-  static bool is_whole(const Value& v) { return v.exact && cln::denominator(v.x.low()) == 1; }
-  Value plus(const Value& x, const Value& y) const {
-    const Ball sum = x.x + y.x;
-    if (is_whole(x) && is_whole(y)) return {sum, 0, 0, true};
-    if (x.exact && y.exact) return lossy(sum, 0, t.exact_sum());
-    const bool alike = (x.x.low() >= 0 && y.x.low() >= 0) || (x.x.high() <= 0 && y.x.high() <= 0);
-    const NumberType::Cancelling c = t.cancelling_sum(x.loose, y.loose);
-    double loss = c.of_x * x.size + c.of_y * y.size + c.of_result * size_of(sum);
-    double loose = c.loose;
-    if (alike) {  // which sum is taken is not known here: the better of both
-      const codegen::Loss l = t.sum(x.loose, y.loose);
-      loss = std::min(loss, l.loss * size_of(sum));
-      loose = std::min(loose, l.loose);
-    }
-    return lossy(sum, x.off + y.off + loss, {0, loose});
+  static Value plus(const Value& x, const Value& y) {
+    const Ball exactly = x.x + y.x;
+    const double size = size_of(exactly);
+    if (x.is_whole() && y.is_whole()) return just(exactly.low());
+    if (x.exact && y.exact) return pair(exactly, {u * size});
+    const Rounded low = sum(sum(x.low, y.low), {u * size});
+    // Which sum is taken is not known here: where signs are alike, the better of both.
+    if ((x.x.low() >= 0 && y.x.low() >= 0) || (x.x.high() <= 0 && y.x.high() <= 0))
+      return pair(exactly, {std::min(low.size, 3 * u * size), low.off});
+    return pair(exactly, {3 * u * size, low.off + u * low.size});  // fast_two_sum, or Sterbenz
   }
-  Value times(const Value& x, const Value& y) const {
+  static Value times(const Value& x, const Value& y) {
     const Ball product = x.exact && y.exact ? Ball(cl_RA(x.x.low() * y.x.low())) : x.x * y.x;
-    if (size_of(product) == 0) return just(0);
-    if (is_power_of_2(x)) return {product, x.size * y.off, y.loose, y.exact};
-    if (is_power_of_2(y)) return times(y, x);
-    const double off = x.size * y.off + y.size * x.off + x.off * y.off;
-    if (y.exact) return lossy(product, off, t.product(x.loose));
-    return lossy(product, off, x.exact ? t.product(y.loose) : t.product(x.loose, y.loose));
+    const double size = size_of(product);
+    if (size == 0) return just(0);
+    if (x.is_power_of_2()) return {product, y.low * x.size, y.exact};
+    if (y.is_power_of_2() || (x.exact && !y.exact)) return times(y, x);
+    Rounded low = fused(x.low, {y.size}, {u * size});
+    if (!y.exact) low = fused({x.size}, y.low, low);
+    low.off += (x.low.size + x.low.off) * (y.low.size + y.low.off);  // dropped
+    return pair(product, low);
   }
-  Value over(const Value& x, const Value& y) const {
-    const double size = y.size;
-    if (is_power_of_2(y)) return {x.x / y.x, x.off / size, x.loose, x.exact};
-    const double off = x.off / size + x.size * y.off / (size * (size - y.off));
-    return lossy(x.x / y.x, off, t.quotient(x.loose, y.loose));
+  /// q = x (1/y) is within two roundings: so large is the rest, before the low parts come.
+  static Value over(const Value& x, const Value& y) {
+    const double by = 1 / y.size;
+    if (y.is_power_of_2()) return {x.x / y.x, x.low * by, x.exact};
+    const Rounded of_y = fused({x.size * by}, y.low, {0});
+    const Rounded rest = sum(sum({2 * u * x.size, 2 * u * u * x.size}, x.low), of_y);
+    return pair(x.x / y.x, fused(rest, {by, by * (u + by * y.low.size)}, {0}));
   }
-  Value per_root(const Value& x) const {
-    const Ball r = Ball(1) / sqrt(x.x);
-    return lossy(r, size_of(r) * x.off / (2 * x.size), t.reciprocal_root(x.loose));
+  /// 1/sqrt(y) is within three roundings; 1 - y r^2, e, is twice that and y's low part.
+  static Value per_root(const Value& y) {
+    const Ball r = Ball(1) / sqrt(y.x);
+    const Rounded low = y.low * (1 / y.size);
+    const Rounded of_low = fused({1}, fused(low, {1}, {u}), {0});
+    const double e = 6 * u + low.size;
+    const double off = (7 * u * u + of_low.off + u * e) / 2 + u * e / 2 + 0.375 * e * e;
+    return pair(r, Rounded{e / 2, off} * size_of(r));
+  }
+  static Rounded plain(std::span<const double> c, double z) {
+    if (c.size() == 1) return {std::fabs(c[0])};
+    const std::size_t half = std::min<std::size_t>(std::bit_ceil(c.size()) / 2, 8);
+    Rounded power{z};
+    for (std::size_t k = 1; k < half; k *= 2) power = fused(power, power, {0});
+    return fused(plain(c.subspan(half), z), power, plain(c.first(half), z));
+  }
+  /// Of z, less the polynomial's centre; slope: of the function.
+  static Value polynomial(const auto& p, const Value& z, double slope) {
+    constexpr std::size_t m = p.pairs;
+    const Rounded tail = plain(std::span(p.high).subspan(m), z.size);
+    Ball value = 0;
+    double of_slope = 0;  // the tail takes z's high part for z, but for its first coefficient
+    for (std::size_t k = p.size; k-- > 0;) {
+      value = value * z.x + Ball(p.high[k]) + Ball(k < m ? p.low[k] : 0.0);
+      if (k > m) of_slope += double(k - m + 1) * std::fabs(p.high[k]) * std::pow(z.size, k - m);
+    }
+    double high = tail.size;
+    Rounded low{0, tail.off + u * high + z.low.size / z.size * of_slope};
+    for (std::size_t k = m; k-- > 0;) {
+      const double c = std::fabs(p.high[k]), size = c + z.size * high;
+      const double dropped = z.low.size * low.size;
+      const Rounded of_low = fused({z.low.size}, {high}, {u * c});
+      low = fused({z.size}, low, sum({u * size, u * u * size}, of_low));
+      low.off += dropped;
+      high = size;
+    }
+    return {value, {low.size, low.off + slope * z.low.off}};
+  }
+  /// y p(y^2) in place of the sine, or p(y^2) of the cosine.
+  static Rounded odd(const auto& p, const Value& y) {
+    return in_place_of(sin(y.x), times(y, polynomial(p, times(y, y), 1.0 / 6)));
+  }
+  static Rounded even(const auto& p, const Value& y) {
+    return in_place_of(cos(y.x), polynomial(p, times(y, y), 1.0 / 2));
+  }
+  /// Relative to f.
+  static Rounded in_place_of(const Ball& f, const Value& v) {
+    return Rounded{v.low.size, v.low.off + size_of(f - v.x)} * (1 / size_of(f));
+  }
+  static Value arc_tangent(const Value& x, const Value& z) {
+    Value r{atan(x.x), {0, x.low.off / (1 + z.size)}};
+    if constexpr (is_pair) {
+      constexpr auto p = Tier::arc_tangent;
+      const double top = 2 * p.centre, root = std::sqrt(top);
+      const Value end = with_low(root, root * x.loose());
+      const Rounded low = sum({u * p.centre}, z.low * (top / z.size));
+      const Value instead = polynomial(p, {end.x * end.x - Ball(p.centre), low}, 1.0 / 3);
+      add(r, in_place_of(atan(end.x), times(end, instead)) * r.size);
+    }
+    return pair(r.x, r.low);
+  }
+  static void add(Value& v, Rounded low) { v.low = {v.low.size + low.size, v.low.off + low.off}; }
+  static Value sine_or_cosine(bool is_sine, const Value& x) {
+    const Ball sine = x.size == 0 ? 0 : sin(x.x), cosine = cos(x.x);
+    const double slope = size_of(is_sine ? cosine : sine);
+    Value r{is_sine ? sine : cosine, {0, slope * x.low.off}};
+    if constexpr (is_pair) {
+      if (x.size <= 0.52359905) {
+        const Value end = with_low(0.523599, 0.523599 * x.loose());
+        add(r, (is_sine ? odd(Tier::small_sine, end) : even(Tier::small_cosine, end)) * r.size);
+        return r;
+      }
+      // A quarter turn may be taken off, and may not: the worse of both.
+      const double top = 0.7853981, spill = 3 * top * x.loose() + 0x1.1a7p-54;
+      const Value end = with_low(top, spill);
+      const Rounded turned = even(Tier::cosine, end);
+      const Rounded as_is = odd(Tier::sine, with_low(top, top * x.loose()));
+      add(r, Rounded{std::max(turned.size, as_is.size), std::max(turned.off, as_is.off)} * r.size);
+      r.low.off += slope * (u * spill + u * u / 2) / top * x.size;
+      // The cosine near 0 is a small y, with that low part, times the polynomial.
+      const Value p = polynomial(Tier::sine, times(end, end), 0);
+      if (!is_sine) add(r, times(with_low(0x1p-99, spill), p).low);
+    }
+    return pair(r.x, r.low);
   }
   Value computed(Expr e) {
     if (e.op() == Op::Num)
-      return codegen::is_double(e.value()) ? just(e.value()) : lossy(e.value(), 0, t.constant(0));
+      return is_double(e.value()) ? just(e.value()) : pair(e.value(), {u * size_of(e.value())});
     if (e.op() == Op::Fun) return function(e);
     Value r = of(e.arg(0));
     if (e.op() == Op::Pow) {
@@ -175,42 +206,29 @@ private:
     return r;
   }
   Value function(Expr e) {
-    if (e.name() == "pi") return lossy(Ball::pi(), 0, t.constant(0));
+    if (e.name() == "pi") return pair(Ball::pi(), {u * 3.1416});
     if (e.name() == "ceil") return ceiling(e.arg(0));
     if (e.name() == "pow") return raised(of(e.arg(0)), of(e.arg(1)));
     const Expr inner = e.arg(0);
-    if (e.name() == "sqrt" && inner.op() == Op::Pow) {
-      Value x = of(inner.arg(0));
-      x.x = magnitude(x.x);
-      return x;
-    }
+    if (e.name() == "sqrt" && inner.op() == Op::Pow) return magnitude(of(inner.arg(0)));
     if (e.name() == "inv" && is_call(inner, "sqrt")) return per_root(of(inner.arg(0)));
     const Value x = of(inner);
     if (e.name() == "inv") return over(just(1), x);
     if (e.name() == "turn") return just(cln::evenp(cln::numerator(x.x.low())) ? 1 : -1);
     if (e.name() == "sqrt") return times(x, per_root(x));
-    if (e.name() == "atan") {
-      const Value z = of(squares.at(inner));
-      const codegen::Loss loss = t.arc_tangent(x.loose, z.loose, z.off / z.size);
-      return lossy(atan(x.x), x.off / (1 + z.size), loss);
-    }
-    const bool is_small = x.size <= 0.52359905;
-    const auto f = is_small ? t.small_sine_cosine(x.loose) : t.sine_cosine(x.loose);
-    const Ball sine = x.size == 0 ? 0 : sin(x.x), cosine = cos(x.x);
-    const double angle = x.off + f.angle * x.size;
-    if (e.name() == "sin") return lossy(sine, size_of(cosine) * angle, f.sine);
-    if (e.name() == "cos") return lossy(cosine, size_of(sine) * angle + f.absolute, f.cosine);
+    if (e.name() == "atan") return arc_tangent(x, of(squares.at(inner)));
+    if (e.name() == "sin" || e.name() == "cos") return sine_or_cosine(e.name() == "sin", x);
     throw std::logic_error("no rule for " + e.name());
   }
   /// By squaring: 2^-200, or for MPFR 2^-480, is in place of less, and counts twice.
-  Value raised(const Value& x, const Value& n) const {
-    const double least = t.is_pair() ? 0x1p-200 : 0x1p-480;
+  static Value raised(const Value& x, const Value& n) {
+    const Ball least(is_pair ? 0x1p-200 : 0x1p-480);
     const cln::cl_I k = cln::numerator(n.x.low());
     Ball r = power(x.x, cln::cl_I_to_long(k));
-    if (r.low() < codegen::exact(least)) r = Ball(least);
+    if (r.low() < least.low()) r = least;
     // A loss of t's own for each product, and each x is off: together less than 2^-22.
-    const double share = cln::double_approx(k) * (x.off / x.size + (t.is_pair() ? 6 * u * u : t.u));
-    return {r, share * size_of(r) + 2 * least, t.exact_sum().loose};
+    const double share = cln::double_approx(k) * (x.low.off / x.size + 6 * u * u + unit);
+    return {r, {u * size_of(r), share * size_of(r) + 2 * size_of(least)}};
   }
   /// ceil(p/q + c), whose signs are those of |p - q k| and q/2 - |p - q k|, k nearest to p/q.
   Value ceiling(Expr x) {
@@ -220,12 +238,9 @@ private:
     for (Expr f : is_sum ? x.arg(0).args() : x.args())
       (is_call(f, "inv") ? q : p) = is_call(f, "inv") ? times(q, of(f.arg(0))) : times(p, of(f));
     const cl_RA whole = (p.x / q.x).low();
-    Value size = plus(p, times(q, just(-cln::round1(whole))));
-    size.x = magnitude(size.x);
+    const Value size = magnitude(plus(p, times(q, just(-cln::round1(whole)))));
     if (cln::denominator(c) == 1) signs["distance"] = size;
-    Value minus = size;
-    minus.x = -size.x;
-    signs["to_next"] = plus(times(q, just(cl_RA(1) / 2)), minus);
+    signs["to_next"] = plus(times(q, just(cl_RA(1) / 2)), {-size.x, size.low});
     return just(cln::ceiling1(whole + c));
   }
 };
