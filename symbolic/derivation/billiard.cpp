@@ -28,18 +28,6 @@ void mirror(Book& book) {
             equation(M_1 * power(v_1, 2) + M_2 * power(v_2, 2),
                      M_1 * power(u_1, 2) + M_2 * power(u_2, 2), after));
 }
-/// The angle of the wedge where nothing is lost: it always is one.
-Theorem kappa_is_cosine(Book& book) {
-  const Theorem K_is = lossless(book, "collapse.def_K");
-  const Expr K = left(K_is), rest = M_C * mass_of_all() / ((M_A + M_C) * (1 + w_B * M_C));
-  const Theorem below =
-      tautology(lt(substitute(kappa(), elastic), 1),
-                {lossless(book, "collapse.threshold"),
-                 linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})});
-  know(below);
-  know(lossless(book, "wedge.acute"));
-  return turned(lossless(book, "wedge.cosine"));
-}
 /// Where a body touches the next one, in the space of places times roots of masses.
 void walls(Book& book, const Theorem& cosine) {
   const Expr s = sqrt(M_C), z = real("Z"), B = sqrt(w_B);
@@ -65,7 +53,14 @@ void unfolded(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), V_positive, lt(0, L), going});
   book.chapter("unfolded", "The unfolded wedge", assumptions);
   know(lossless(book, "wedge.signs"));
-  const Theorem cosine = kappa_is_cosine(book);
+  // Where nothing is lost, kappa always is a cosine.
+  const Theorem K_is = lossless(book, "collapse.def_K");
+  const Expr K = left(K_is), rest = M_C * mass_of_all() / ((M_A + M_C) * (1 + w_B * M_C));
+  know(tautology(lt(substitute(kappa(), elastic), 1),
+                 {lossless(book, "collapse.threshold"),
+                  linear(lt(K, 1), {equation(1 - K, rest, {K_is}), positive(rest)})}));
+  know(lossless(book, "wedge.acute"));
+  const Theorem cosine = turned(lossless(book, "wedge.cosine"));
   walls(book, cosine);
   const Expr h = right(cosine).arg(0);
   const auto here = [&](Expr t) { return substitute(t, elastic); };

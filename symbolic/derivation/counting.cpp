@@ -6,16 +6,6 @@ namespace derivation {
 namespace {
 Expr half_angle(Expr count) { return count * psi() / 2; }
 
-/// |- pi <= x implies (x <= 2 pi implies sin(x) <= 0)
-Theorem sine_not_positive() {
-  return given(le(pi(), x), [](const Theorem& from_pi) {
-    return given(le(x, 2 * pi()), [&](const Theorem& to_end) {
-      const Theorem back = sine_not_negative(x - pi(), {from_pi, to_end});
-      return linear(le(sin(x), 0), {equation(sin(x), -sin(x - pi()), {}, {x - pi(), pi()}), back});
-    });
-  });
-}
-
 /// The approach speed before collision j, for both kinds alike.
 Theorem approach_speed(Book& book) {
   const Theorem definition = book.name(
@@ -113,7 +103,12 @@ void counting(Book& book) {
   book.chapter("counting", "The number of collisions", {alpha_positive, V_positive, le(0, j)});
   book.show("ceiling", "def:ceil",
             "Rounding up:", linear(iff(eq(ceil(x), k), logic_and({lt(k - 1, x), le(x, k)}))));
-  book.show("sine_past_pi", "The sine from pi to 2 pi:", sine_not_positive());
+  const Theorem from_pi = assume(le(pi(), x)), to_end = assume(le(x, 2 * pi()));
+  const Theorem back = equation(sin(x), -sin(x - pi()), {}, {x - pi(), pi()});
+  const Theorem past_pi =
+      linear(le(sin(x), 0), {back, sine_not_negative(x - pi(), {from_pi, to_end})});
+  book.show("sine_past_pi", "The sine from pi to 2 pi:",
+            discharge(from_pi.conclusion(), discharge(to_end.conclusion(), past_pi)));
   const Theorem speed = approach_speed(book);
   const Expr sine = sin(half_angle(j + 1));
   const Theorem sign =

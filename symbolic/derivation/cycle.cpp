@@ -77,16 +77,9 @@ void conservation(Book& book, const Theorems& steps) {
 /// No other motion obeys the law: velocities v that a collision of the kind leads to are the next
 /// ones.
 void uniqueness(Book& book) {
-  const Theorem general = both({book["contact.v_1"], book["contact.v_2"]});
-  const Theorem block = assume(lt(0, M));
-  const Theorem ball = positive(alpha * M, {block});
   const auto only = [&](Expr u, Expr w, const Theorem& next) {
-    const Theorem special =
-        cut(ball, instantiate(general, {{M_1, M}, {M_2, alpha * M}, {u_1, u}, {u_2, w}}));
-    const auto same = [&](std::size_t i) {
-      const Theorem t = part(special, i), value = part(next, i);
-      return chain(t, equation(right(t), left(value), {value, block}));
-    };
+    const Theorem law = instantiate(book["ball.velocities"], {{u_1, u}, {u_2, w}});
+    const auto same = [&](std::size_t i) { return chain(part(law, i), turned(part(next, i))); };
     return both({same(0), same(1)});
   };
   book.show("only_P", "The law allows no other velocities after P_n",

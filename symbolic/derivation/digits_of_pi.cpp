@@ -4,16 +4,6 @@
 #include "derivation/wedge.hpp"
 
 namespace derivation {
-namespace {
-Theorem pi_at_most_4() {  // pi/4 is the angle whose tangent is 1
-  const Expr quarter = atan(1);
-  const Theorem cosines =
-      equation(cos(2 * quarter), cos(pi() / 2), {at("cos atan", {{x, 1}})}, {quarter, pi() / 2});
-  const Theorem is = same_angle(cosines, {positive(quarter)});
-  return linear(le(pi(), 4), {is, at("atan bounds", {{x, 1}})});
-}
-}  // namespace
-
 void digits_of_pi(Book& book) {
   book.chapter("wall", "A wall, and digits of pi", {V_positive});
   const Expr T = real("T");
@@ -37,7 +27,12 @@ void digits_of_pi(Book& book) {
   const Theorem number = here("motion.N");
   const Expr h = left(angle), N = left(number);
   know(positive(angle));
-  const Theorem at_most_4 = pi_at_most_4(), near = at("atan bounds", {{x, 1 / T}});
+  const Expr quarter = atan(1);  // the angle whose tangent is 1 is pi/4
+  const Theorem right_angle =
+      equation(cos(2 * quarter), cos(pi() / 2), {at("cos atan", {{x, 1}})}, {quarter, pi() / 2});
+  const Theorem at_most_4 = linear(
+      le(pi(), 4), {same_angle(right_angle, {positive(quarter)}), at("atan bounds", {{x, 1}})});
+  const Theorem near = at("atan bounds", {{x, 1 / T}});
   const Theorem from = times(linear(le(0, 1 / T - h), {angle, near}), pi() * T / h);
   const Theorem many = linear(le(pi() * T - 1, N), {number, from});
   const Expr u = 1 / T;

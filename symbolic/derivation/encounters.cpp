@@ -8,13 +8,6 @@ namespace {
 Expr in_paper(Expr t) { return substitute(substitute(t, blocks_of_paper), elastic); }
 Theorem in_paper(const Theorem& t) { return for_blocks(t, elastic); }
 Expr sine(Expr times) { return sin(times * half()); }
-
-/// In the paper's case kappa is a cosine and the ratio of the sides is 1.
-Theorems rules_of_paper(Book& book) {
-  const Theorem is_cosine = part(at(book["collapse.elastic"], {{M, 1}}), 0);
-  return without_losses(book, restate(eq(in_paper(kappa()), cos(half())), is_cosine)) +
-         Theorems{chain(in_paper(book["wedge.r_A"]), turned(in_paper(book["wedge.r_B"])))};
-}
 }  // namespace
 
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is) {
@@ -37,7 +30,11 @@ void encounters(Book& book) {
   const Exprs assumptions{alpha_positive, V_positive, lt(0, L), le(0, j), lt(j, N())};
   book.chapter("encounters", "When and where, in the paper's case", assumptions);
   know(in_paper(book["wedge.signs"]));
-  const Theorems rules = rules_of_paper(book);
+  // In the paper's case kappa is a cosine and the ratio of the sides is 1.
+  const Theorem is_cosine = part(at(book["collapse.elastic"], {{M, 1}}), 0);
+  const Theorems rules =
+      without_losses(book, restate(eq(in_paper(kappa()), cos(half())), is_cosine)) +
+      Theorems{chain(in_paper(book["wedge.r_A"]), turned(in_paper(book["wedge.r_B"])))};
   const Theorem speed =
       book.show("speed", "In the paper's case the approach speeds are those that we know,",
                 equation(in_paper(closing(j)), approach(j),

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The first ratios in square roots; for a seventeenth of pi, sums of cosines solve four quadratic
 // equations (Gauss' periods).
-#include <algorithm>
-
 #include "derivation/symbols.hpp"
 
 namespace derivation {
@@ -27,6 +25,7 @@ public:
   Periods() {
     const Theorem product = equation(cos(x) * cos(y), (cos(x + y) + cos(x - y)) / 2, {}, {x, y});
     const Theorem step = equation(2 * cos(x) * sin(y), sin(x + y) - sin(x - y), {}, {x, y});
+    const Theorem back = equation(cos(2 * pi() - x), cos(x), {}, {pi(), x});
     const Expr unit = pi() / p;
     Certificate c;  // sin(unit) (1 + 2 sum of cosines) = sin(pi), as a telescope
     c.multipliers = {positive(sin(unit))};
@@ -35,22 +34,15 @@ public:
     for (int i = 1; 2 * i < p; ++i) {
       sum = sum + 2 * cosine(i);
       c.equations.push_back({1, at(step, {{x, angle(i)}, {y, unit}})});
-      for (int l = 1; l <= i; ++l) {
-        const Theorem t = at(product, {{x, angle(i)}, {y, angle(l)}});
-        const Expr found = (cos(angle(i + l)) + cos(angle(i - l))) / 2;
-        Theorems folding{restate(eq(cosine(i) * cosine(l), found), t),
-                         restate(eq(cos(angle(0)), 1), axiom("cos 0"))};
-        if (2 * (i + l) > p) folding.push_back(fold(i + l));
-        rules.push_back(equation(cosine(i) * cosine(l), period({i + l, i - l}) / 4, folding));
-      }
+      rules.push_back(restate(eq(cosine(p - i), cosine(i)), at(back, {{x, angle(i)}})));
+      for (int l = 1; l <= i; ++l)
+        rules.push_back(restate(eq(cosine(i) * cosine(l), period({i + l, i - l}) / 4),
+                                at(product, {{x, angle(i)}, {y, angle(l)}})));
     }
     rules.push_back(arithmetic(eq(sum, -1), c));
   }
   Expr angle(int i) const { return Expr(2 * i) * pi() / p; }
-  Expr cosine(int i) const {
-    const int least = std::min(i % p, p - i % p);
-    return least == 0 ? Expr(1) : cos(angle(least));
-  }
+  Expr cosine(int i) const { return cos(angle(i)); }
   /// 2 cos of each, added.
   Expr period(const std::vector<int>& of) const {
     Expr sum = 0;
@@ -65,26 +57,13 @@ public:
   /// A linear relation of periods of the second degree.
   Theorem known(Expr goal) const { return linear(goal, rules); }
   static constexpr int p = 17;
-  Theorems rules;  ///< products of two cosines as sums; the sum of all
-
-private:
-  Theorem fold(int i) const {
-    const Theorem back = equation(cos(2 * pi() - x), cos(x), {}, {pi(), x});
-    return restate(eq(cos(angle(i)), cos(angle(p - i))), at(back, {{x, angle(p - i)}}));
-  }
+  Theorems rules;  ///< products of two cosines as sums; which ones are equal; the sum of all
 };
-/// |- cos(pi/p) = -cos(2 h pi/p), h = (p - 1)/2
-Theorem opposite(const Periods& of) {
-  const Expr t = pi() / of.p;
-  const Theorem back = at(equation(cos(pi() - x), -cos(x), {}, {pi(), x}), {{x, t}});
-  return linear(eq(cos(t), -of.cosine(of.p / 2)), {back});
-}
 /// |- cos(pi/17), by four quadratic equations
 Theorem seventeenth(Book& book) {
   const Periods of;
-  const auto period = [&](const std::vector<int>& which) { return of.period(which); };
-  const Expr E = period({1, 2, 4, 8}), F = period({3, 5, 6, 7});
-  const Expr a = period({1, 4}), b = period({2, 8}), c = period({3, 5}), d = period({6, 7});
+  const Expr E = of.period({1, 2, 4, 8}), F = of.period({3, 5, 6, 7}), a = of.period({1, 4}),
+             b = of.period({2, 8}), c = of.period({3, 5}), d = of.period({6, 7});
   const Theorem half = book["ratios.third"];
   const Theorem E_positive =
       linear(lt(0, E), {of.falls(of.angle(1), pi() / 3), of.falls(of.angle(2), pi() / 3), half,
@@ -103,14 +82,14 @@ Theorem seventeenth(Book& book) {
       halves(a, b, first.greater, linear(lt(b, a), {of.falls(1, 2), of.falls(4, 8)}));
   const Quadratic of_F =
       halves(c, d, first.smaller, linear(lt(d, c), {of.falls(3, 6), of.falls(5, 7)}));
-  const Expr u = period({2}), v = period({8});
+  const Expr u = of.period({2}), v = of.period({8});
   const Theorem square = of.known(eq(power(u - v, 2), power(b, 2) - 4 * d));
   const Quadratic last(linear(eq(u + v, right(of_E.smaller)), {of_E.smaller}),
                        rewrite(of_F.smaller, rewrite(of_E.smaller, square)),
                        linear(lt(v, u), {of.falls(2, 8)}));
-  const Theorem is = opposite(of);
-  const Expr b_value = right(of_E.smaller), root = left(last.root);
-  return linear(eq(left(is), (root - b_value) / 4), {is, last.smaller});
+  const Expr t = pi() / of.p, b_value = right(of_E.smaller), root = left(last.root);
+  const Theorem opposite = at(equation(cos(pi() - x), -cos(x), {}, {pi(), x}), {{x, t}});
+  return linear(eq(cos(t), (root - b_value) / 4), {opposite, last.smaller});
 }
 }  // namespace
 

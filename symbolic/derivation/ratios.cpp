@@ -34,11 +34,7 @@ void ratio_of_angle(Book& book) {
   };
   show("reached", "Ratios from there on have psi/2 >= x, and no others:", le, lt);
   show("passed", "and larger ratios psi/2 > x:", lt, le);
-}
-/// A larger angle is that of a larger ratio.
-void rises(Book& book) {
-  const Expr ratio = left(book["ratios.reached"]).arg(0);
-  const Known range({assume(lt(0, x)), assume(lt(x, y)), assume(lt(y, edge))});
+  know(both({assume(lt(x, y)), assume(lt(y, edge))}));
   book.show("rises", "A larger angle is that of a larger ratio:",
             linear(lt(ratio, substitute(ratio, {{x, y}})),
                    {times(cosine_falls(assume(lt(x, y))), 1 / (cos(x) * cos(y)))}));
@@ -170,7 +166,6 @@ Theorems range_of(Expr d, const Theorems& facts) {
 void thresholds(Book& book) {
   book.chapter("ratios", "Thresholds", {alpha_positive, V_positive});
   ratio_of_angle(book);
-  rises(book);
   threshold(book, {"N_A", "alpha_", "exact:ak", "NA-range", rational(1, 2)});
   threshold(book, {"N_B", "beta_", "exact:bk", "NB-range", 1});
   order(book);

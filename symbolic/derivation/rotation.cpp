@@ -11,17 +11,6 @@ Exprs cross(const Exprs& p, const Exprs& q) {
     out.push_back(simplified(p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3]));
   return out;
 }
-/// The axis of a rotation: what it leaves as it is, its first component 1, by solving (Lambda - 1)
-/// e = 0.
-Exprs axis_of(Expr rotation_matrix) {
-  const Expr p = real("e_2"), q = real("e_3");
-  const Exprs direction{1, p, q};
-  const Expr image = times(rotation_matrix, column(direction));
-  Exprs rows;
-  for (int i = 0; i < 3; ++i) rows.push_back(eq(entry(image, i, 0), direction[std::size_t(i)]));
-  return Exprs{1} + solve(rows, {p, q});
-}
-
 void angle(Book& book, Expr lambda) {
   // 1 + 2 cos(psi) is the trace; tan^2(psi/2) = (1 - cos(psi))/(1 + cos(psi)).
   const auto trace = [](Expr m) { return entry(m, 0, 0) + entry(m, 1, 1) + entry(m, 2, 2); };
@@ -56,8 +45,10 @@ void rotation(Book& book) {
   const Theorems rules{root_split(book), def_lambda, book["rotation.cos_psi"],
                        book["rotation.sin_psi"]};
 
-  // The axis, and two more unit vectors that complete it.
-  const Exprs axis = axis_of(lambda);
+  // The axis, which solves Lambda e = e with a first component 1, and two vectors that complete it.
+  const Exprs e{1, real("e_2"), real("e_3")};
+  const Exprs axis =
+      Exprs{1} + solve(entry_equations(eq(times(lambda, column(e)), column(e))), {e[1], e[2]});
   const Exprs first = cross({0, 0, 1}, axis);
   const Exprs second = cross(axis, first);
   const auto length = [](const Exprs& v) { return sqrt(simplified(dot(v, v))); };

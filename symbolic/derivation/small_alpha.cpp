@@ -8,19 +8,6 @@ namespace {
 const Expr light = lt(alpha, 1);
 const Expr p = sqrt(2 * alpha), q = sqrt(alpha / (2 + alpha));
 
-/// x - x^3/3 <= atan(x) and atan(x) <= x for a positive x
-Theorem atan_bounds(Expr t) { return at("atan bounds", {{x, t}}); }
-
-void theta_bounds(Book& book) {
-  const Expr s = sqrt(alpha);
-  const Theorem definition = book["ball.theta"];
-  book.show("theta_range", "The range of theta:",
-            both({positive(definition), linear(lt(theta(), pi()), {definition})}));
-  const Theorems bounds{definition, atan_bounds(s)};
-  book.show("theta_bounds", "theta is about 2 sqrt(alpha):",
-            linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));
-}
-
 /// 2 p (1 - 5 alpha/12) <= psi and psi < 2 p, as psi = 4 atan(q), q^2 = alpha/(2 + alpha).
 void psi_bounds(Book& book) {
   const Theorem mass = positive(alpha), q_positive = positive(q);
@@ -37,8 +24,9 @@ void psi_bounds(Book& book) {
                   .multipliers = {positive(p + 2 * q)}});
   const Theorem q_squared_below =
       linear(le(0, alpha / 2 - power(q, 2)), {positive(alpha * power(q, 2))});
-  const Theorems facts{book["table.quarter_psi"],          atan_bounds(q),      q_above, q_below,
-                       times(q_positive, q_squared_below), times(mass, q_below)};
+  const Theorems facts{
+      book["table.quarter_psi"],          at("atan bounds", {{x, q}}), q_above, q_below,
+      times(q_positive, q_squared_below), times(mass, q_below)};
   book.show("psi_bounds", "eq:NA-approx", "psi is about 2 sqrt(2 alpha):",
             linear(logic_and({le(2 * p * (1 - rational(5, 12) * alpha), psi()), lt(psi(), 2 * p)}),
                    facts));
@@ -66,7 +54,13 @@ void counts(Book& book) {
 
 void small_alpha(Book& book) {
   book.chapter("small_alpha", "Small mass ratios", {alpha_positive, V_positive});
-  theta_bounds(book);
+  const Expr s = sqrt(alpha);
+  const Theorem definition = book["ball.theta"];
+  book.show("theta_range", "The range of theta:",
+            both({positive(definition), linear(lt(theta(), pi()), {definition})}));
+  const Theorems bounds{definition, at("atan bounds", {{x, s}})};
+  book.show("theta_bounds", "theta is about 2 sqrt(alpha):",
+            linear(logic_and({le(2 * s * (1 - alpha / 3), theta()), le(theta(), 2 * s)}), bounds));
   const Expr third = pi() / 3;
   const Theorem falls = cosine_falls(assume(le(third, psi() / 2)));
   const Theorem less =

@@ -88,18 +88,6 @@ void below_V(Book& book, const Theorem& facts) {
   book.show("energy", "with", both({momentum, all[2]}));
 }
 
-/// (N_A - 1/2) psi < pi <= (N_A + 1/2) psi, so that cosines of half of both have the signs that
-/// make a_t <= 0.
-void recoil(Book& book) {
-  const Expr up = (N_A() + rational(1, 2)) * (psi() / 2),
-             down = (N_A() - rational(1, 2)) * (psi() / 2);
-  const Theorem cos_up = linear(le(0, -cos(up)), {cosine_falls(linear(le(pi() / 2, up)))});
-  const Theorem a_is =
-      chain(part(book["terminal.definitions"], 0), at(book["power.a_product"], {{n, N_A()}}));
-  book.show("a_recoils", "A does not go on forward:",
-            linear(le(a_t(), 0), {a_is, product_of({positive(book["power.V_CM"]),
-                                                    positive((1 + alpha) * cos(down)), cos_up})}));
-}
 }  // namespace
 
 void terminal(Book& book) {
@@ -162,6 +150,14 @@ void terminal(Book& book) {
                          linear(le(N(), 2 * N_A()), {shares})}));
   below_V(book, tautology(end_Q.conclusion(),
                           {at_N_A(2 * N_A(), end_Q), at_N_A(2 * N_A() - 1, end_P), last}));
-  recoil(book);
+  // (N_A - 1/2) psi < pi <= (N_A + 1/2) psi, so cosines of half of both have the signs of a_t <= 0.
+  const Expr up = (N_A() + rational(1, 2)) * (psi() / 2),
+             down = (N_A() - rational(1, 2)) * (psi() / 2);
+  const Theorem cos_up = linear(le(0, -cos(up)), {cosine_falls(linear(le(pi() / 2, up)))});
+  const Theorem as_product = chain(a_is, at(book["power.a_product"], {{n, N_A()}}));
+  book.show(
+      "a_recoils", "A does not go on forward:",
+      linear(le(a_t(), 0), {as_product, product_of({positive(book["power.V_CM"]),
+                                                    positive((1 + alpha) * cos(down)), cos_up})}));
 }
 }  // namespace derivation
