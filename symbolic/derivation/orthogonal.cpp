@@ -57,9 +57,11 @@ Theorems named_matrices(Book& book) {
   names.push_back(book.define("I", {}, identity(3), {}, "and the identity:"));
   return names;
 }
+/// |- matrix = name
+Theorem named(const Theorem& is) { return equation(right(is), left(is), {is}); }
 Theorem with_names(const Theorems& names, Theorem t) {
   for (const Theorem& is : names) {
-    const Theorem name = equation(right(is), left(is), {is});
+    const Theorem name = named(is);
     for (const Expr& h : t.hypotheses()) {
       const Expr named = rewrite(name, assume(h)).conclusion();
       if (named != h) t = cut(rewrite(is, assume(named)), t);
@@ -139,8 +141,13 @@ Theorems cofactor_rule(Expr o, const Theorem& is) {
   return entries(calculation(times(times(cofactors, transpose(o)), o), cofactors,
                              {{times(cofactors, gram(o)), is}}));
 }
-/// In space, with determinant 1, there is an axis: what the cofactors X of O - 1 make.
-void axis(Book& book, const Theorems& names, const Theorem& is) {
+/// Of O with determinant 1: O X = X for X of cofactors of O - 1, O = 1 where none of its trace is
+/// positive; and a frame with an axis of length 1 as its third one.
+struct Axes {
+  Theorem X, kept, only, frame_is;
+  Expr trace, frame;
+};
+Axes axis(Book& book, const Theorems& names, const Theorem& is) {
   const Expr o = matrix_of_names(3), one = identity(3);
   const Exprs all = kernel::entries(o), products = kernel::entries(gram(o));
   const Theorem d_is_1 = assume(eq(det(o), 1));
@@ -158,10 +165,12 @@ void axis(Book& book, const Theorems& names, const Theorem& is) {
   book.show("axis", "With determinant 1 it has the eigenvalue 1,", with_names(names, none));
   const Theorem X = define("X", all, matrix(3, cofactors));
   book.show("def_X", "and with the cofactors of O - 1,", X);
+  const Theorem kept = linear(eq(times(o, right(X)), right(X)), {none});
   book.show("axis_kept", "each column of X stays as it is: an axis,",
-            with_names(names + Theorems{X}, linear(eq(times(o, right(X)), right(X)), {none})));
+            with_names(names + Theorems{X}, kept));
   // The squares of the entries of O - 1 have the sum 6 - 2 tr(O) = 2 tr(X).
-  Theorems facts = entries(rewrite(X, assume(eq(left(X), matrix(3, Exprs(9, 0)))))) + entries(is);
+  const Expr trace = cofactors[0] + cofactors[4] + cofactors[8];
+  Theorems facts = entries(is) + Theorems{assume(le(trace, 0))};
   for (const Expr& entry : less_1) facts.push_back(not_negative(power(entry, 2)));
   const Theorems times_d = cofactor_rule(o, is);
   for (std::size_t i = 0; i < 9; i += 4)
@@ -169,19 +178,22 @@ void axis(Book& book, const Theorems& names, const Theorem& is) {
                                {.equations = {{1, times_d[i]}, {-all[i], d_is_1}}}));
   Theorems zeros;
   for (const Expr& entry : less_1) zeros.push_back(is_0(linear(eq(power(entry, 2), 0), facts)));
-  book.show("axis_only",
-            "and if X is 0, every line is one:", with_names(names, linear(eq(o, one), zeros)));
+  const Theorem only = linear(eq(o, one), zeros);
+  const Theorem X_is_0 = rewrite(X, assume(eq(left(X), matrix(3, Exprs(9, 0)))));
+  book.show("axis_only", "and if X is 0, every line is one:",
+            with_names(names, cut(linear(le(trace, 0), {X_is_0}), only)));
   const Expr r = matrix_of_names(3, "r"), p = entry(r, 0, 2), q = entry(r, 1, 2),
              s = entry(r, 2, 2);
   const Expr per = 1 / (1 + s), across = -p * q * per;
   const Theorem unit = assume(eq(power(p, 2) + power(q, 2) + power(s, 2), 1));
-  const Expr frame =
-      matrix(3, {1 - power(p, 2) * per, across, p, across, 1 - power(q, 2) * per, q, -p, -q, s});
   const Theorem divides = one_more_not_0(s);
   know(divides);
-  book.show(
-      "frame", "An axis of length 1, or else its reverse, is the third one of a frame:",
-      with_names(names, equation(eq(gram(frame), one), {solved_for(power(p, 2), unit), divides})));
+  const Expr frame =
+      matrix(3, {1 - power(p, 2) * per, across, p, across, 1 - power(q, 2) * per, q, -p, -q, s});
+  const Theorem frame_is = equation(eq(gram(frame), one), {solved_for(power(p, 2), unit), divides});
+  book.show("frame", "An axis of length 1, or else its reverse, is the third one of a frame:",
+            with_names(names, frame_is));
+  return {X, kept, only, frame_is, trace, frame};
 }
 /// With determinant -1 a reflection comes first.
 void in_space(Book& book, const Theorems& names, const Theorem& is) {
@@ -189,8 +201,7 @@ void in_space(Book& book, const Theorems& names, const Theorem& is) {
   const Theorem mirror = book.name("P_3", {}, matrix(3, {1, 0, 0, 0, 1, 0, 0, 0, -1}), {},
                                    "The reflection of the third axis:");
   const Expr P_3 = fun("P_3", {}), mirrored = times(o, P_3);
-  const Theorem kept = rewrite(equation(right(mirror), P_3, {mirror}),
-                               linear(eq(gram(times(o, right(mirror))), one), {is}));
+  const Theorem kept = rewrite(named(mirror), linear(eq(gram(times(o, right(mirror))), one), {is}));
   book.show("space_reflection",
             "It changes the sign of a determinant, and applied twice it changes nothing, so that "
             "with determinant -1 the matrix is this reflection and then a rotation:",
@@ -216,7 +227,8 @@ void in_space(Book& book, const Theorems& names, const Theorem& is) {
   collision("Gamma_B", "cycle.Gamma_B", first_axis, theta(), "and so is that of C and B:");
 }
 /// With determinant 1 it is lambda_3(phi) in a frame whose third axis it leaves as it is.
-void about_an_axis(Book& book, const Theorems& names, const Theorem& is, const Theorems& in_plane) {
+Theorems about_an_axis(Book& book, const Theorems& names, const Theorem& is,
+                       const Theorems& in_plane) {
   const Expr o = matrix_of_names(3), r = matrix_of_names(3, "r"), m = matrix_of_names(3, "m");
   const Expr one = identity(3), d = det(r), e_3 = column({0, 0, 1}), back = transpose(r);
   const Expr s = times(times(back, o), r), frame = times(r, back);
@@ -235,7 +247,7 @@ void about_an_axis(Book& book, const Theorems& names, const Theorem& is, const T
       products.push_back(arithmetic(eq(l, value), c));
     }
   const Theorem of_frame = restate(eq(frame, one), both(products));
-  // S = R^T O R is orthogonal; its third column and third row are those of 1.
+  // S = R^T O R is orthogonal; its third column is that of 1, and so is its third row.
   const Theorem of_s =
       calculation(gram(s), one,
                   {{times(times(transpose(times(o, r)), frame), times(o, r)), of_frame},
@@ -244,19 +256,13 @@ void about_an_axis(Book& book, const Theorems& names, const Theorem& is, const T
   const Theorem column_3 =
       calculation(times(s, e_3), e_3,
                   {{times(back, times(o, third_axis())), fixed}, {times(gram(r), e_3), of_r}});
-  const Theorem row_3 = calculation(times(transpose(e_3), s), transpose(e_3),
-                                    {{times(times(transpose(third_axis()), o), r),
-                                      linear(eq(third_axis(), times(o, third_axis())), {fixed})},
-                                     {times(times(transpose(third_axis()), gram(o)), r), is},
-                                     {times(transpose(e_3), gram(r)), of_r}});
   // So the rest of S is orthogonal with determinant 1: a rotation of the plane.
   Theorem shape = named;
-  const Theorems last_column = entries(rewrite(named, column_3)),
-                 last_row = entries(rewrite(named, row_3));
-  for (int i = 0; i < 3; ++i) {
+  const Theorems last_column = entries(rewrite(named, column_3));
+  for (int i = 0; i < 3; ++i)
     shape = rewrite(solved_for(entry(m, i, 2), last_column[std::size_t(i)]), shape);
-    shape = rewrite(solved_for(entry(m, 2, i), last_row[std::size_t(i)]), shape);
-  }
+  for (int i = 0; i < 2; ++i)
+    shape = rewrite(linear(eq(entry(m, 2, i), 0), {rewrite(shape, of_s)}), shape);
   const Expr block = matrix(2, {entry(m, 0, 0), entry(m, 0, 1), entry(m, 1, 0), entry(m, 1, 1)});
   const Theorem product = equation(det(s), det(o) * power(d, 2));
   const Theorem determinant_1 =
@@ -275,13 +281,92 @@ void about_an_axis(Book& book, const Theorems& names, const Theorem& is, const T
         calculation(o, times(times(r, turn), back),
                     {{times(times(one, o), one), linear(eq(one, frame), {of_frame})},
                      {times(times(r, s), back), rewrite(of_turn, shape)}});
-    return with_names(names, discharge(given_angle, is_turn));
+    return discharge(given_angle, is_turn);
   };
   const Expr first = entry(m, 0, 0);
   know(one_more_not_0(first));
+  const Theorems cases{in_case(in_plane[0], neq(first, -1)), in_case(in_plane[1], eq(first, -1))};
   book.show("lambda_n", "eq:lambda-n",
             "In a frame F whose third axis stays as it is, it is a rotation about that axis:",
-            both({in_case(in_plane[0], neq(first, -1)), in_case(in_plane[1], eq(first, -1))}));
+            both({with_names(names, cases[0]), with_names(names, cases[1])}));
+  return cases;
+}
+/// All of it together: there are a frame and an angle.
+void some_axis(Book& book, const Theorems& names, const Theorem& is, const Axes& axes,
+               const Theorems& in_frame) {
+  const Expr o = matrix_of_names(3), r = matrix_of_names(3, "r"), phi = real("phi");
+  const Expr F = fun("F", kernel::entries(r)), f_3 = third_axis();
+  const Expr seen = times(times(transpose(axes.frame), o), axes.frame);
+  const Exprs f = kernel::entries(f_3), X = kernel::entries(left(axes.X));
+  const auto square = [](const Exprs& v) {
+    return power(v[0], 2) + power(v[1], 2) + power(v[2], 2);
+  };
+  const Theorem unit = assume(eq(square(f), 1)), fixed = assume(eq(times(o, f_3), f_3));
+  const Theorem of_r = assume(eq(gram(r), identity(3)));
+  const Theorem F_is = rewritten({named(names[2]), named(names[5])}, of_r);
+  Expr never = imp(F_is.conclusion(), neq(o, times(times(F, lambda_3(phi)), transpose(F))));
+  const Exprs each = kernel::entries(r), quantified = each + Exprs{phi};
+  for (auto v = quantified.rbegin(); v != quantified.rend(); ++v) never = all(*v, never);
+  const Expr some = logic_not(never), down = eq(f[2], -1);
+  Theorems facts{F_is};
+  for (const Theorem& in_case : in_frame) {
+    facts.push_back(rewrite(named(names[2]), in_case));
+    Theorem none = assume(never);
+    for (const Expr& value : each + Exprs{right(facts.back()).arg(1).arg(0).arg(1).arg(0)})
+      none = specialize(none, value);
+    facts.push_back(discharge(never, none));
+  }
+  Substitution to_frame;
+  for (std::size_t i = 0; i < 9; ++i) {
+    to_frame[each[i]] = kernel::entries(axes.frame)[i];
+    to_frame[kernel::entries(matrix_of_names(3, "m"))[i]] = kernel::entries(seen)[i];
+  }
+  const Theorem other = cut(axes.frame_is, cut(equation(seen, matrix(3, kernel::entries(seen))),
+                                               instantiate(tautology(some, facts), to_frame)));
+  const auto about = [&](const Theorem& t, const Exprs& axis, const Theorems& of_axis) {
+    return at(t, {{f[0], axis[0]}, {f[1], axis[1]}, {f[2], axis[2]}}, of_axis);
+  };
+  const Theorem back = given(down, [&](const Theorem& is_down) {  // -f_3 is another axis
+    return cut(linear(neq(-f[2], -1), {is_down}),
+               about(other, {-f[0], -f[1], -f[2]}, {unit, fixed}));
+  });
+  const Theorem of_unit = tautology(some, {discharge(logic_not(down), other), back});
+  // A column of X over its length, if its entry in the diagonal is positive; else O is 1.
+  const Theorems kept = entries(rewrite(named(axes.X), axes.kept));
+  Theorems diagonal = entries(axes.X);
+  for (std::size_t l = 0; l < 3; ++l) {
+    const Theorem is_positive = assume(lt(0, X[4 * l]));
+    const Known here({is_positive});
+    Exprs axis{X[l], X[l + 3], X[l + 6]};
+    const Expr per = 1 / sqrt(square(axis));
+    Theorems of_axis;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Theorem& e = kept[3 * i + l];
+      of_axis.push_back(arithmetic(eq(left(e) * per, right(e) * per), {.equations = {{per, e}}}));
+      axis[i] = axis[i] * per;
+    }
+    of_axis.push_back(equation(square(axis), 1));
+    const Theorem turns = discharge(is_positive.conclusion(), about(of_unit, axis, of_axis));
+    diagonal.push_back(follows(le(X[4 * l], 0), {turns, assume(never)}));
+  }
+  const Theorem is_1 = cut(linear(le(axes.trace, 0), diagonal), axes.only);
+  const Theorem turns = tautology(some, {discharge(never, about(of_unit, {0, 0, 1}, {is_1}))});
+  book.show(
+      "space_rotation",
+      "So with determinant 1 it is a rotation about an axis: there are a frame and an angle, as "
+      "not all of them make another matrix,",
+      with_names(names, turns));
+  const Theorem mirror = book["orthogonal.P_3"];
+  const Expr m = matrix(3, kernel::entries(times(o, right(mirror))));
+  Substitution mirrored;
+  for (std::size_t i = 0; i < 9; ++i) mirrored[kernel::entries(o)[i]] = m.arg(i);
+  const Theorem m_turns =
+      cut(linear(eq(gram(m), identity(3)), {is}),
+          cut(linear(eq(det(m), 1), {assume(eq(det(o), -1))}), instantiate(turns, mirrored)));
+  book.show(
+      "space_mirror", "and with determinant -1 it is a reflection and then such a rotation:",
+      both({with_names(names, rewrite(equation(m, times(o, left(mirror)), {mirror}), m_turns)),
+            part(book["orthogonal.space_reflection"], 1)}));
 }
 }  // namespace
 
@@ -290,8 +375,8 @@ void orthogonal(Book& book) {
   const Theorems names = named_matrices(book);
   const Theorems rotations = in_the_plane(book, names, orthogonal(book, names, 2));
   const Theorem is = orthogonal(book, names, 3);
-  axis(book, names, is);
+  const Axes axes = axis(book, names, is);
   in_space(book, names, is);
-  about_an_axis(book, names, is, rotations);
+  some_axis(book, names, is, axes, about_an_axis(book, names, is, rotations));
 }
 }  // namespace derivation

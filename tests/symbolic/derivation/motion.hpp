@@ -21,5 +21,6 @@ int whole(const cl_R& x);  ///< x where it is an integer, else Undefined
 cl_R binomial(const cl_R& n, int k);
 /// What a function is worth at numbers. Everything about the motion comes from motion.cpp.
 cl_R function(const std::string& name, const std::vector<cl_R>& x);
+/// Nothing for a matrix of given entries.
 Matrix matrix_function(const std::string& name, const std::vector<cl_R>& x);
 }  // namespace net

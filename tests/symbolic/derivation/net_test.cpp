@@ -107,7 +107,10 @@ Matrix matrix_value(Expr e, const Point& point) {
     for (std::size_t i = 1; i < e.size(); ++i) out = product(out, part(i));
     return out;
   }
-  if (e.op() != Op::MatrixPower) return matrix_function(e.name(), values(e, point));
+  if (e.op() != Op::MatrixPower) {
+    const Matrix known = matrix_function(e.name(), values(e, point));
+    return known.empty() ? matrix_value(defined(e), point) : known;
+  }
   const cl_R n = value(e.arg(1), point);
   if (n < 0) throw Undefined();
   const Matrix m = part(0);
@@ -193,7 +196,10 @@ bool truth(Expr f, const Point& point) {
   if (op == Op::Or) return std::any_of(parts.begin(), parts.end(), holds);
   if (op == Op::Imp) return !holds(parts[0]) || holds(parts[1]);
   if (op == Op::Iff) return holds(parts[0]) == holds(parts[1]);
-  if (op == Op::All) {  // at some values; so many of an index that collisions have ended by then
+  if (op == Op::All) {  // at a value that the point has, or some; so many of an index that
+    // collisions have ended by then
+    for (const auto& [v, x] : point)
+      if (v.name() == f.name() && v.sort() == f.bound_sort()) return holds(kernel::open(f, v));
     const int last = f.bound_sort() == kernel::Sort::Int ? 60 : 12;
     for (int x = -2; x <= last; ++x)
       if (!holds(kernel::open(f, x))) return false;
@@ -210,22 +216,20 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
   std::set<Expr> variables = free_variables(conclusion);
   for (const Expr& h : hypotheses) variables.merge(free_variables(h));
   Point point;
-  // An orthogonal matrix: some rotations, perhaps a reflection.
-  Matrix o = matrix_function(any_of(2) ? "P_3" : "lambda_3", {exact(0)});
-  if (variables.count(kernel::real("o_33")))
-    for (const char* axis : {"lambda_1", "lambda_2"})
-      o = product(o, matrix_function(axis, {between(-3, 3)}));
-  const cl_R angle = any_of(4) ? between(-3, 3) : circle();
-  o = product(matrix_function("lambda_3", {angle}), o);
-  if (!variables.count(kernel::real("o_33")) && o[2][2] < 0)
-    o = product(o, {{1, 0, 0}, {0, -1, 0}, {0, 0, -1}});
-  if (any_of(4) == 0) o = matrix_function("lambda_3", {exact(0)});
-  // A frame whose third axis it may leave as it is, and the matrix in that frame.
-  Matrix r = matrix_function(any_of(2) ? "P_3" : "lambda_3", {between(-3, 3)});
+  // A rotation by an angle in a frame, perhaps after a reflection; that of the plane in its own.
+  const auto has = [&](const char* name) { return variables.count(kernel::real(name)) != 0; };
+  const bool in_plane = has("o_22") && !has("o_33");
+  Matrix r = matrix_function(any_of(2) ? "P_3" : "lambda_3", {exact(0)});
   for (const char* axis : {"lambda_1", "lambda_2"})
-    r = product(r, matrix_function(axis, {between(-3, 3)}));
-  if (variables.count(kernel::real("r_33")))
-    o = product(product(r, matrix_function("lambda_3", {angle})), transposed(r));
+    r = product(r, matrix_function(axis, {in_plane ? exact(0) : between(-3, 3)}));
+  const cl_R angle = cl_R(any_of(4)) * (any_of(4) ? between(-1, 1) : circle());
+  Matrix o = product(product(r, matrix_function("lambda_3", {angle})), transposed(r));
+  if (!has("r_33") && any_of(2))
+    o = product(o, in_plane ? matrix_function("lambda_1", {circle()}) : matrix_function("P_3", {}));
+  for (std::size_t i = 0; i < 9 && has("o_33"); ++i)  // that there are a frame and an angle
+    point[kernel::real("r_" + std::to_string(i / 3 + 1) + std::to_string(i % 3 + 1))] =
+        r[i / 3][i % 3];
+  if (has("o_33")) point[kernel::real("phi")] = angle;
   const std::map<char, Matrix> of{{'o', o}, {'r', r}, {'m', product(product(transposed(r), o), r)}};
   cl_R last = exact(1);
   const auto drawn = [&](Expr v) -> cl_R {
@@ -245,7 +249,7 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
     return kind == 2 ? last : between(-2.5, 5.5);
   };
   for (const Expr& v : variables) last = point[v] = drawn(v);
-  if (variables.count(kernel::real("d_A")) && point[kernel::real("V")] == 0) throw Undefined();
+  if (has("d_A") && point[kernel::real("V")] == 0) throw Undefined();
   for (const Expr& h : hypotheses) {
     if (h.op() == Op::Fun) {
       const std::vector<cl_R> x = of_impact(h, point);
