@@ -10,6 +10,11 @@ enum class ExitCode { done = 0, check_failed = 1, bad_input = 2, undecided = 3 }
 
 constexpr std::int64_t no_limit = 1'000'000'000;  // seconds
 
+struct Limits {
+  std::int64_t seconds = 30;
+  std::int64_t mebibytes = 1024;
+};
+
 /// --name VALUE, or a flag.
 struct Option {
   std::string name;                       ///< without dashes
@@ -18,11 +23,7 @@ struct Option {
   std::vector<std::string> choices = {};  ///< what is allowed, if not everything
   bool is_required = false;
   bool is_column = false;  ///< may be a column of --input, which commands with such an option have
-};
-
-struct Limits {
-  std::int64_t seconds = 30;
-  std::int64_t mebibytes = 1024;
+  std::optional<Limits> limits = {};  ///< the command's with this option
 };
 
 struct Command {

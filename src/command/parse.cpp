@@ -100,6 +100,7 @@ Request request_of(const Command& command, const std::vector<Option>& options,
 Asked asked_for(const Command& command, const std::vector<Option>& options, Request request) {
   const auto& endless = command.endless;
   const bool has_end = request.words.empty() || std::ranges::count(endless, request.words[0]) == 0;
+  Limits usual = command.limits;
   request.format = request.has("format") ? request.text("format") : command.formats.front();
   for (const Option& option : options) {
     const std::string value = request.text(option.name);
@@ -107,15 +108,15 @@ Asked asked_for(const Command& command, const std::vector<Option>& options, Requ
     if (is_given && !option.choices.empty() && std::ranges::count(option.choices, value) == 0)
       throw InvalidInput(command.name + ": unknown " + option.name + " " + shown_text(value) +
                          "; allowed: " + joined(option.choices));
+    if (is_given) usual = option.limits.value_or(usual);
     const bool may_be_column = request.has("input") && option.is_column;
     if (option.is_required && !is_given && !may_be_column)
       throw InvalidInput(command.name + ": --" + option.name +
                          " is missing; example: " + command.example);
   }
   const Limits limits{
-      request.whole("time-limit", 1, no_limit)
-          .value_or(has_end ? command.limits.seconds : no_limit),
-      request.whole("memory-limit", 16, 1'000'000'000).value_or(command.limits.mebibytes)};
+      request.whole("time-limit", 1, no_limit).value_or(has_end ? usual.seconds : no_limit),
+      request.whole("memory-limit", 16, 1'000'000'000).value_or(usual.mebibytes)};
   return {&command, std::move(request), limits};
 }
 
