@@ -24,7 +24,8 @@ const std::map<std::string, std::string>& definitions() {
         "acosh log(x+sqrt(x^2-1)) atanh log((1+x)/(1-x))/2 "
         "arcsin asin(x) arccos acos(x) arctan atan(x) arctg atan(x) tg tan(x) ctg cot(x) "
         "cosec csc(x) ln log(x) arsinh asinh(x) arcosh acosh(x) artanh atanh(x) "
-        "arcsinh asinh(x) arccosh acosh(x) arctanh atanh(x)");
+        "arcsinh asinh(x) arccosh acosh(x) arctanh atanh(x) "
+        "asec acos(1/x) acsc asin(1/x) arcsec acos(1/x) arccsc asin(1/x)");
     for (std::string other, what; others >> other >> what;) all.emplace(other, what);
     return all;
   }();

@@ -216,17 +216,18 @@ private:
     return takes(U"'") || takes(U"^\\prime") || takes(U"^{\\prime}") ? "_prime" : "";
   }
   void indexed_name(const std::string& word, std::size_t column) {
-    std::string whole = word;
-    const std::size_t letters = word.find_first_of("0123456789");
-    const bool is_short = letters == 1 || is_greek_name(word.substr(0, letters));
-    if (letters != word.npos && is_short) whole.insert(letters, "_");  // M1
+    const std::size_t digit = word.find_first_of("0123456789");
+    const bool is_short = digit == 1 || is_greek_name(word.substr(0, digit));
+    const std::size_t letters = is_short ? digit : word.npos;
+    const std::string number = letters == word.npos ? "" : "_" + word.substr(letters);  // M1
     const std::string first = prime();
-    const std::string index_1 = index();
-    whole += (first.empty() ? prime() : first) + index_1;  // c_n' is c'_n
+    const std::string index_1 = number + index();
+    const std::string whole =  // c_n' is c'_n
+        word.substr(0, letters) + (first.empty() ? prime() : first) + index_1;
     if (index_1.ends_with('_')) refuse_at(column, "an index is missing behind " + word + "_");
     if (whole.size() > 40) refuse_at(column, "a name of more than 40 characters");
     add(Kind::Name, whole, column);
-    if (whole != word && letters != word.npos) out.back().typed = word;
+    if (!number.empty()) out.back().typed = word;
   }
 
   void superscript(std::size_t column) {
@@ -294,6 +295,7 @@ private:
 
   void sign(char32_t c, std::size_t column) {
     if (c == U'&' && peek() == U'=') return;  // where equations are aligned
+    if (c == U':' && !out.empty()) refuse_at(column, "a ratio is written with /, as 1/(1+alpha)");
     if (c == U'°') refuse_at(column, "angles are in radians; 180 degrees are pi");
     const bool is_two = (c == U'<' || c == U'>' || c == U'!') && takes(U"=");
     if (!is_two && Characters(U"+-*/^()[]{},;<>=|&").find(c) == Characters::npos)

@@ -214,7 +214,7 @@ private:
     if (word == "pi" || word == "Pi" || word == "PI") return kernel::pi();
     const std::string why = why_no_symbol(word, is("("), factors);
     if (!why.empty()) refuse_at(token.column, why);
-    if (!token.typed.empty()) note(token.typed + " is read as " + word);
+    if (!token.typed.empty()) note(token.typed + " is read as " + typed_text(symbol(word)));
     if (factors.contains(word)) return symbol(word);
     if (word == "i") note("i is read as a real number of its own");
     const std::string product = word.size() == 2 ? word.substr(0, 1) + "*" + word[1] : "with *";
