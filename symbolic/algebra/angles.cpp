@@ -28,8 +28,7 @@ public:
     return z;
   }
   struct Pair {
-    Theorem cosine;
-    Theorem sine;
+    Theorem cosine, sine;
   };
   /// |- cos(sum of z b) = ..., |- sin(sum of z b) = ..., one base angle after the other.
   Pair pair(const Multiples& z) {

@@ -8,9 +8,6 @@
 namespace derivation {
 using algebra::operator+;
 namespace {
-void restrict_to(const Exprs& domain, const std::string& symbol, const Exprs& params) {
-  if (!domain.empty()) kernel::restrict_domain(symbol, params, kernel::logic_and(domain));
-}
 bool is_part(Expr part, Expr of) {
   return part == of || std::ranges::any_of(of.args(), [&](Expr a) { return is_part(part, a); });
 }
@@ -65,7 +62,7 @@ Theorem defined(const std::string& symbol, const Exprs& params, Expr value, cons
   const auto printed =
       std::ranges::find_if(params, [&](Expr p) { return !hidden.contains(p.name()); });
   const Theorem definition = kernel::define(symbol, params, value, int(printed - params.begin()));
-  restrict_to(domain, symbol, params);
+  if (!domain.empty()) kernel::restrict_domain(symbol, params, kernel::logic_and(domain));
   return definition;
 }
 Theorems defined_by_recursion(const std::vector<std::string>& names, const Exprs& params, Expr n,
@@ -74,7 +71,8 @@ Theorems defined_by_recursion(const std::vector<std::string>& names, const Exprs
   Exprs before;
   for (const std::string& name : names) before.push_back(kernel::real(name + "_before"));
   const Theorems out = kernel::define_recursive(names, params, n, before, start, next(before));
-  for (const std::string& name : names) restrict_to(domain, name, params + Exprs{n});
+  const Expr where = kernel::logic_and(domain);
+  for (const std::string& name : names) kernel::restrict_domain(name, params + Exprs{n}, where);
   return out;
 }
 }  // namespace derivation

@@ -41,8 +41,8 @@ void last_collision(Book& book, const Last& last) {
 /// floor(x) <= x < floor(x) + 1, and what is left.
 void whole_part(Book& book) {
   const Theorem def_floor = book.name("floor", {x}, -ceil(-x), {}, "Rounding down:");
-  const Expr is = eq(floor(x), k), bounds = logic_and({le(k, x), lt(x, k + 1)});
-  book.show("floor_is", "def:floor", "so that", linear(iff(is, bounds), {def_floor}));
+  const Expr bounds = logic_and({le(k, x), lt(x, k + 1)});
+  book.show("floor_is", "def:floor", "so that", linear(iff(eq(floor(x), k), bounds), {def_floor}));
   const Theorem rest = book.name("sawtooth", {x}, x - floor(x), {},
                                  "What is left over is the sawtooth function,", "def:sawtooth");
   book.show("sawtooth_range", "def:sawtooth", "which lies between 0 and 1:",

@@ -16,6 +16,12 @@ Expr cofactor(Expr m, int i, int l) {
   return at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1);
 }
 Expr gram(Expr o) { return times(transpose(o), o); }
+/// Names of entries by what stands in their places.
+Substitution by_entries(Expr names, Expr values) {
+  Substitution out;
+  for (std::size_t i = 0; i < names.size(); ++i) out[names.arg(i)] = kernel::entries(values)[i];
+  return out;
+}
 /// l = r by steps: each is the product before it, written so that an equation rewrites a part.
 Theorem calculation(Expr l, Expr r, const std::vector<std::pair<Expr, Theorem>>& steps) {
   Theorem out = equation(l, l);
@@ -182,8 +188,7 @@ Axes axis(Book& book, const Theorems& names, const Theorem& is) {
   const Theorem X_is_0 = rewrite(X, assume(eq(left(X), matrix(3, Exprs(9, 0)))));
   book.show("axis_only", "and if X is 0, every line is one:",
             with_names(names, cut(linear(le(trace, 0), {X_is_0}), only)));
-  const Expr r = matrix_of_names(3, "r"), p = entry(r, 0, 2), q = entry(r, 1, 2),
-             s = entry(r, 2, 2);
+  const Expr p = real("r_13"), q = real("r_23"), s = real("r_33");
   const Expr per = 1 / (1 + s), across = -p * q * per;
   const Theorem unit = assume(eq(power(p, 2) + power(q, 2) + power(s, 2), 1));
   const Theorem divides = one_more_not_0(s);
@@ -267,12 +272,10 @@ Theorems about_an_axis(Book& book, const Theorems& names, const Theorem& is,
   const Theorem product = equation(det(s), det(o) * power(d, 2));
   const Theorem determinant_1 =
       linear(eq(det(block), 1), {rewritten({shape, squared, d_is_1}, product)});
-  Substitution terms;
-  for (std::size_t i = 0; i < 4; ++i)
-    terms[kernel::entries(matrix_of_names(2))[i]] = kernel::entries(block)[i];
   const auto in_case = [&](const Theorem& in_the_plane, Expr given_angle) {
-    const Theorem plane = cut(linear(eq(gram(block), identity(2)), {rewrite(shape, of_s)}),
-                              cut(determinant_1, instantiate(in_the_plane, terms)));
+    const Theorem plane =
+        cut(linear(eq(gram(block), identity(2)), {rewrite(shape, of_s)}),
+            cut(determinant_1, instantiate(in_the_plane, by_entries(matrix_of_names(2), block))));
     const Expr angle = right(plane).arg(0), turn = lambda_3(angle);
     const Theorem of_turn =
         linear(eq(right(shape), turn), {plane, at(book["ball.lambda"], {{x, angle}}),
@@ -316,11 +319,8 @@ void some_axis(Book& book, const Theorems& names, const Theorem& is, const Axes&
       none = specialize(none, value);
     facts.push_back(discharge(never, none));
   }
-  Substitution to_frame;
-  for (std::size_t i = 0; i < 9; ++i) {
-    to_frame[each[i]] = kernel::entries(axes.frame)[i];
-    to_frame[kernel::entries(matrix_of_names(3, "m"))[i]] = kernel::entries(seen)[i];
-  }
+  Substitution to_frame = by_entries(r, axes.frame);
+  to_frame.merge(by_entries(matrix_of_names(3, "m"), seen));
   const Theorem other = cut(axes.frame_is, cut(equation(seen, matrix(3, kernel::entries(seen))),
                                                instantiate(tautology(some, facts), to_frame)));
   const auto about = [&](const Theorem& t, const Exprs& axis, const Theorems& of_axis) {
@@ -358,11 +358,9 @@ void some_axis(Book& book, const Theorems& names, const Theorem& is, const Axes&
       with_names(names, turns));
   const Theorem mirror = book["orthogonal.P_3"];
   const Expr m = matrix(3, kernel::entries(times(o, right(mirror))));
-  Substitution mirrored;
-  for (std::size_t i = 0; i < 9; ++i) mirrored[kernel::entries(o)[i]] = m.arg(i);
-  const Theorem m_turns =
-      cut(linear(eq(gram(m), identity(3)), {is}),
-          cut(linear(eq(det(m), 1), {assume(eq(det(o), -1))}), instantiate(turns, mirrored)));
+  const Theorem m_turns = cut(
+      linear(eq(gram(m), identity(3)), {is}),
+      cut(linear(eq(det(m), 1), {assume(eq(det(o), -1))}), instantiate(turns, by_entries(o, m))));
   book.show(
       "space_mirror", "and with determinant -1 it is a reflection and then such a rotation:",
       both({with_names(names, rewrite(equation(m, times(o, left(mirror)), {mirror}), m_turns)),

@@ -70,8 +70,7 @@ void rotation(Book& book) {
   book.show("axis_paper", "which is along the roots of the masses:",
             equation(third, column({1 / w, 1 / w, sqrt(alpha) / w}), with_frame));
   const Theorem quotient = root_is(alpha / (2 * (2 + alpha)), sqrt(alpha) / (sqrt(2) * w));
-  const Expr r2 = sqrt(2);
-  const Expr q = sqrt(alpha / (2 * (2 + alpha)));
+  const Expr r2 = sqrt(2), q = sqrt(alpha / (2 * (2 + alpha)));
   book.show("R_paper", "eq:R-app", "As the paper writes it:",
             equation(R(),
                      matrix(3, {-1 / r2, -q, 1 / w, 1 / r2, -q, 1 / w, 0, sqrt(2 / (2 + alpha)),

@@ -5,7 +5,6 @@
 
 namespace derivation {
 namespace {
-const Expr light = lt(alpha, 1);
 const Expr p = sqrt(2 * alpha), q = sqrt(alpha / (2 + alpha));
 
 /// 2 p (1 - 5 alpha/12) <= psi and psi < 2 p, as psi = 4 atan(q), q^2 = alpha/(2 + alpha).
@@ -65,7 +64,7 @@ void small_alpha(Book& book) {
   const Theorem falls = cosine_falls(assume(le(third, psi() / 2)));
   const Theorem less =
       otherwise(lt(psi() / 2, third), {falls, book["rotation.cos_half_psi"], book["ratios.third"],
-                                       times(assume(light), 1 / (1 + alpha))});
+                                       times(assume(lt(alpha, 1)), 1 / (1 + alpha))});
   book.show("psi_light",
             "The range of psi for such a ball:", linear(lt(psi(), 2 * pi() / 3), {less}));
   psi_bounds(book);

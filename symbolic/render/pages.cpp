@@ -43,6 +43,14 @@ struct Markup {
   std::string (*link)(const std::string& id);
   std::string (*reason)(const std::string& inside);
 };
+/// ", j and n integers" for the integers among the variables of formulas.
+std::string integers(const Exprs& formulas, const auto& print) {
+  std::set<Expr> found;
+  for (const Expr& f : formulas) found.merge(free_variables(f));
+  std::erase_if(found, [](Expr v) { return v.sort() != kernel::Sort::Int; });
+  if (found.empty()) return "";
+  return ", " + listed(found, print, " and ") + (found.size() == 1 ? " an integer" : " integers");
+}
 /// In a line of words, or each by itself where one is too wide for that: nothing breaks it.
 std::string conditions(const Markup& m, const std::string& before, const Exprs& all,
                        const std::string& between, const std::string& after) {
@@ -53,13 +61,14 @@ std::string conditions(const Markup& m, const std::string& before, const Exprs& 
     return m.paragraph(before + listed(all, m.in_line, between) + after, "");
   std::string out = m.paragraph(before.substr(0, before.find(' ')), "");
   for (const Expr& condition : all) out += m.block(condition);
-  return out;
+  return after.size() == 1 ? out : out + m.paragraph(after.substr(2), "");
 }
 std::string page(const std::vector<Section>& sections, const Markup& m) {
   std::string out;
   for (const Section& section : sections) {
     out += m.heading(m.escaped(section.title));
-    out += conditions(m, "Throughout: ", section.assumptions, ", ", ".");
+    out += conditions(m, "Throughout: ", section.assumptions, ", ",
+                      integers(section.assumptions, m.in_line) + ".");
     for (const Step& s : section.steps) {
       out += m.paragraph(m.escaped(s.words), s.id);
       out += conditions(m, "If ", s.conditions, " and ", ":");
@@ -106,7 +115,9 @@ std::string text_page(const std::vector<Section>& sections) {
     out += (out.empty() ? "" : "\n\n") + section.title + "\n" +
            std::string(section.title.size(), '=') + "\n";
     if (!section.assumptions.empty())
-      out += wrapped("Throughout: " + listed(section.assumptions, print, ", ") + ".", "");
+      out += wrapped("Throughout: " + listed(section.assumptions, print, ", ") +
+                         integers(section.assumptions, print) + ".",
+                     "");
     for (const Step& s : section.steps) {
       out += "\n" + wrapped(s.words, "");
       if (!s.conditions.empty()) out += wrapped("if " + listed(s.conditions, print, " and "), "  ");
