@@ -7,7 +7,6 @@ namespace derivation {
 namespace {
 Expr floor(Expr t) { return fun("floor", {t}); }
 Expr sawtooth(Expr t) { return fun("sawtooth", {t}); }
-Expr quotient() { return pi() / psi(); }
 
 /// The last collision of a block, of which there are `count` = ceil(pi/psi - shift).
 struct Last {
@@ -17,7 +16,7 @@ struct Last {
 };
 void last_collision(Book& book, const Last& last) {
   const Theorem number = book["counting." + last.name];
-  const Expr early = last.before * psi(), late = last.after * psi(), z = quotient();
+  const Expr early = last.before * psi(), late = last.after * psi(), z = pi() / psi();
   know_for_good(book.show(
       last.name + "_angle",
       last.name == "N_A" ? "pi lies between two angles near N_A psi," : "For B it is N_B psi:",
@@ -51,7 +50,7 @@ void whole_part(Book& book) {
 
 /// With m = floor(pi/psi): the counts are m and m where 0 < sawtooth <= 1/2, else ...
 void two_cases(Book& book) {
-  const Expr z = quotient(), rest = sawtooth(z);
+  const Expr z = pi() / psi(), rest = sawtooth(z);
   const auto at_z = [&](const std::string& id) { return at(book[id], {{x, z}}); };
   const Expr m = floor(z), half = rational(1, 2);
   const Theorems around_z{at_z("constraints.sawtooth"), at_z("constraints.sawtooth_range")};

@@ -28,19 +28,18 @@ void last_collision(Book& book) {
   book.show("last", "the last of them when and where", both({when, apart}));
   // Where B is: from the centre of mass, as it is with the ball and at a distance L from A.
   const Theorem going = at_last("encounters.going");
-  const Substitution no_loss{{e, 1}, {j, last}};
-  const auto in_paper = [&](const char* id) { return cut(going, for_blocks(book[id], no_loss)); };
-  know(going);
-  const auto in_place = [&](const char* name) {
-    return substitute(substitute(at_collision(name, last), blocks_of_paper), {{e, 1}});
+  const auto lossless_at_last = [&](const char* id) {
+    return cut(going, for_blocks(book[id], {{e, 1}, {j, last}}));
   };
-  const Expr x_B = in_place("x_B"), x_C = in_place("x_C"), time = in_place("time");
+  know(going);
+  const auto there = [&](const char* name) { return in_paper(at_collision(name, last)); };
+  const Expr x_B = there("x_B"), x_C = there("x_C"), time = there("time");
   const Theorem names = at_last("encounters.definitions");
   const Theorem is_Q = restate(eq(turn(last), -1), at(part(book["cycle.turns"], 1), {{n, k - 1}}));
-  const Theorem touches = linear(eq(x_C, x_B), {rewrite(is_Q, in_paper("places.met"))});
+  const Theorem touches = linear(eq(x_C, x_B), {rewrite(is_Q, lossless_at_last("places.met"))});
   const Theorem centre =
       linear(eq(alpha * x_B, V * time + 2 * L - 2 * x_B),
-             {rewrite(touches, in_paper("places.carried")), part(names, 1), apart});
+             {rewrite(touches, lossless_at_last("places.carried")), part(names, 1), apart});
   const Expr place = 2 * L / (1 + alpha);
   const Theorem time_is = chain(turned(part(names, 0)), when);
   const Theorem B_is = cancel(eq(x_B, place), {positive(2 + alpha)}, {centre, time_is});

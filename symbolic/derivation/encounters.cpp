@@ -5,7 +5,6 @@
 
 namespace derivation {
 namespace {
-Expr in_paper(Expr t) { return substitute(substitute(t, blocks_of_paper), elastic); }
 Theorem in_paper(const Theorem& t) { return for_blocks(t, elastic); }
 Expr sine(Expr times) { return sin(times * half()); }
 }  // namespace

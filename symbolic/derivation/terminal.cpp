@@ -87,7 +87,6 @@ void below_V(Book& book, const Theorem& facts) {
             both({all[0], all[1], b_positive, not_faster}));
   book.show("energy", "with", both({momentum, all[2]}));
 }
-
 }  // namespace
 
 void terminal(Book& book) {

@@ -59,7 +59,9 @@ inline Expr apart(Expr i) { return at_collision("x_B", i) - at_collision("x_A", 
 Theorem divided(Expr l, Expr by, const Theorem& times_by);
 /// Blocks of mass 1, a ball of mass alpha.
 inline const Substitution blocks_of_paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
-/// A theorem for them.
+/// The paper's case, and theorems for these blocks, or where nothing is lost.
+inline Expr in_paper(Expr t) { return substitute(substitute(t, blocks_of_paper), elastic); }
+inline Theorem lossless(const Book& book, const char* id) { return at(book[id], elastic); }
 Theorem for_blocks(const Theorem& t, Substitution terms = {}, const Theorems& facts = {});
 /// The start, and what the first collisions change.
 Theorems first_collisions(const Book& book, int count,
@@ -73,6 +75,6 @@ Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is);
 /// The same where nothing is lost and powers of e are 1, as the first two of four say.
 Theorems without_losses(const Book& book, const Theorem& kappa_is);
 WriteChapter restitution, from_any_start, motion, transmission, ends, chebyshev, wedge,
-    when_and_where, collapse, encounters, digits_of_pi, cradle, billiard, three_body_forms,
-    restitution_forms;
+    when_and_where, collapse, encounters, digits_of_pi, cradle, billiard, losses, unfolded,
+    three_body_forms, restitution_forms;
 }  // namespace derivation
