@@ -88,13 +88,11 @@ Interval Builder::range_of(const Node& n) const {
 int Builder::input(const std::string& name, bool is_whole, Interval range, bool may_be_zero) {
   if (numbers == Numbers::doubles && is_whole && range.size() > largest_whole)
     throw Refused(name + " may be above 2^51");
-  return add({.op = Op::input,
-              .is_exact = !is_plain(),
-              .is_whole = is_whole,
-              .name = name,
-              .formula = name,
-              .range = may_be_zero ? Interval{0, range.high} : range,
-              .least = range.least()});
+  Node n{.op = Op::input, .is_exact = !is_plain(), .is_whole = is_whole, .name = name};
+  n.formula = name;
+  n.range = {may_be_zero ? 0 : range.low, range.high};
+  n.least = range.least();
+  return add(n);
 }
 int Builder::constant(const cln::cl_RA& value, bool of_pi) {
   const bool is_exact = !is_plain() && !of_pi && is_double(value);

@@ -113,7 +113,9 @@ private:
 
   void structure() {
     line("/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) + ".");
-    for (const Theorem& t : c.outputs) line("/// Theorem: " + shown(q, t.conclusion()));
+    Words theorems;
+    for (const Theorem& t : c.outputs) theorems.push_back(shown(q, t.conclusion()));
+    line("/// Theorems: " + joined(theorems, "; ") + ".");
     std::map<std::string, Words> facts;  // by what they rest on
     for (const Fact& f : c.facts) {
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;

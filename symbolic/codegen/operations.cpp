@@ -4,7 +4,10 @@
 // [JMP]   Joldes, Muller, Popescu, ACM TOMS 44 (2017), 15res; as corrected by Muller, Rideau, ACM
 //         TOMS 48 (2022).
 // [LLMPR] Lefevre, Louvet, Muller, Picot, Rideau, ACM TOMS 49 (2023).
-// [H]     Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 3.1 and 5.1.
+// [H]     Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 2.2, 3.1 and 5.1.
+// [D]     Dekker, Numerische Mathematik 18 (1971), 224: Fast2Sum is exact where |x| >= |y|.
+// [S]     Sterbenz, Floating-Point Computation (1974): x - y is, where y/2 <= x <= 2 y.
+// [Z]     Ziv, ACM TOMS 17 (1991), 410.
 // "After": ours is the cited algorithm in another order or without its last step; its roundings are
 // counted one by one here, and each entry is measured against exact rationals in the tests.
 #include "codegen/operations.hpp"
@@ -16,7 +19,7 @@ namespace codegen {
 /// [JMP] algorithm 2, 2Sum: exact.
 Loss NumberType::exact_sum() const { return is_pair() ? Loss{0, u} : Loss{u, 0}; }
 
-/// high = nearest(c), low = nearest(c - high).
+/// high = nearest(c), low = nearest(c - high): [H] theorem 2.2, twice; `lost` is exact, rounded up.
 Loss NumberType::constant(double lost) const { return is_pair() ? Loss{lost, u} : Loss{u, 0}; }
 
 /// Like signs. After [JMP] algorithm 5 (3 u^2): s = 2Sum(x.high, y.high) is exact;
@@ -26,10 +29,10 @@ Loss NumberType::sum(double x, double y) const {
   return is_pair() ? Loss{u * (2 * l + u) * and_more, (u + l) * and_more} : Loss{u, 0};
 }
 
-/// Any signs, and low parts of any size: those two roundings, then s' = Fast2Sum(s.high, b), b the
-/// low sum. It is exact where |s.high| >= |b|. Else it loses u |b|, |b| <= u |s.high| + x |x| + y
-/// |y|, and nothing where |s'| < |b|/2 (Sterbenz), so its low part is at most u |s'| + u |b| <= 3
-/// u |s'|.
+/// Any signs, and low parts of any size. [JMP] algorithm 5: those two roundings, then s' =
+/// Fast2Sum(s.high, b), b the low sum. It is exact where |s.high| >= |b| [D]. Else it loses u |b|,
+/// |b| <= u |s.high| + x |x| + y |y|, and nothing where |s'| < |b|/2 [S], so its low part is at
+/// most u |s'| + u |b| <= 3 u |s'|.
 NumberType::Cancelling NumberType::cancelling_sum(double x, double y) const {
   if (!is_pair()) return {0, 0, u, 0};
   return {3 * u * x * and_more, 3 * u * y * and_more, 2 * u * u * and_more, 3 * u * and_more};
@@ -81,9 +84,9 @@ Plainly plainly(const double* c, int n, double z, double u) {
 }
 }  // namespace
 
-/// The tail in plain numbers; then `plus_product` for each pair: S bounds the sum's high part, L
-/// its low part, E its error. c - sum is exact; rest loses u u s, then three sums of low parts
-/// follow.
+/// After [H] 5.1, Horner's rule. The tail in plain numbers; then `plus_product` for each pair: S
+/// bounds the sum's high part, L its low part, E its error. c - sum is exact, and rest loses u u s;
+/// three sums of low parts follow.
 NumberType::OfPolynomial NumberType::polynomial(const Polynomial& p, double size,
                                                 double low) const {
   const int n = int(p.high.size()), m = int(p.low.size());
@@ -112,7 +115,8 @@ NumberType::OfPolynomial NumberType::polynomial(const Polynomial& p, double size
   return {E * and_more / p.least + p.error, L * and_more / p.least, slope};
 }
 
-/// t p(z - centre): the difference of high parts is exact, that of the low ones is one rounding.
+/// t p(z - centre): the difference of high parts is exact, by [D] up to the centre and [S] beyond;
+/// that of the low ones is one rounding. Then `polynomial` and `product`: losses add up, [H] 3.1.
 Loss NumberType::arc_tangent(double t, double z, double z_off) const {
   if (!is_pair()) return {u, 0};
   const Polynomial& p = (*tier)["arc_tangent"];
@@ -122,7 +126,7 @@ Loss NumberType::arc_tangent(double t, double z, double z_off) const {
   return {(q.loss + q.slope * (u * low + z_off * p.top) + last.loss) * and_more, last.loose};
 }
 
-/// x p(x^2) and p(x^2), |low part of x| <= x |x|.
+/// x p(x^2) and p(x^2), |low part of x| <= x |x|: `product`, `polynomial`, `product`, [H] 3.1.
 NumberType::SineCosine NumberType::small_sine_cosine(double x) const {
   if (!is_pair()) return {{u, 0}, {u, 0}};
   const Polynomial& s = (*tier)["small_sine"];
@@ -135,16 +139,16 @@ NumberType::SineCosine NumberType::small_sine_cosine(double x) const {
           {(of_c.loss + of_c.slope * square.loss * c.top) * and_more, of_c.loose}};
 }
 
-/// Above pi/4 less a quarter turn: the high parts' difference is exact, the low parts' one rounding
-/// of at most `spill`; pi/2 itself is right to 2^-107. What is left, y, has a low part of at most
-/// `spill`, whatever its size; `product` then bounds y^2 and y p(y^2) in absolute terms. A quarter
-/// turn makes sine and cosine of each other, so the cosine may be -y p(y^2), the sine not.
+/// Above pi/4 less a quarter turn: the high parts' difference is exact [S], the low parts' one
+/// rounding, of at most x |x| and pi/2's low part; pi/2 itself is right to 2^-107. The low part of
+/// what is left, y, is at most `spill`; `product` then bounds y^2 and y p(y^2) in absolute terms. A
+/// quarter turn makes sine and cosine of each other, so the cosine may be -y p(y^2), the sine not.
 NumberType::SineCosine NumberType::sine_cosine(double x) const {
   if (!is_pair()) return {{u, 0}, {u, 0}};
   const Polynomial& s = (*tier)["sine"];
   const Polynomial& c = (*tier)["cosine"];
-  const double spill = (x * 2.3562 + 0x1p-53) * and_more;
-  const double angle = (u * spill + 0x1p-107) / 0.785 * and_more;
+  const double spill = (x * 2.3562 + 0x1.1bp-54) * and_more;
+  const double angle = (u * x + (u * 0x1.1bp-54 + 0x1p-107) / 0.785) * and_more;
   const double y = std::sqrt(s.top);
   const double low = (2 * y * spill + u * s.top) * and_more;
   const double off = (spill * spill + 3 * u * spill * y + 2 * u * u * s.top) * and_more;
@@ -166,6 +170,6 @@ Loss NumberType::power(double of_x, double most) const {
   return {off * (1 + off), is_pair() ? u : 0};
 }
 
-/// Ziv's test rounds p.low + error and p.low - error: u |p.low|. MPFR rounds p +- error.
+/// [Z]'s test rounds p.low + error and p.low - error: u |p.low|. MPFR rounds p +- error.
 double NumberType::rounding_test(double x) const { return (is_pair() ? u * x : u) * and_more; }
 }  // namespace codegen

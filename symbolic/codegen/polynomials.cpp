@@ -156,11 +156,14 @@ std::string emit_polynomials() {
       "  double centre, high[the_size], low[the_pairs];\n};\n";
   for (const Tier& tier : tiers()) {
     s += begin_tier(tier.name, tier.is_tested);
-    for (const Polynomial& p : tier.polynomials)
-      s += "  // off by at most " + as_power_of_2(p.error) + "\n  static constexpr Polynomial<" +
-           std::to_string(p.high.size()) + ", " + std::to_string(p.low.size()) + "> " + p.name +
-           "{" + hex(p.centre) + ", " + list(p.high) + ", " + list(p.low) + "};\n";
-    s += "};\n";
+    std::string lines;
+    for (const Polynomial& p : tier.polynomials) {
+      s += (lines.empty() ? "  // off by at most " : ", ") + as_power_of_2(p.error);
+      lines += "  static constexpr Polynomial<" + std::to_string(p.high.size()) + ", " +
+               std::to_string(p.low.size()) + "> " + p.name + "{" + hex(p.centre) + ", " +
+               list(p.high) + ", " + list(p.low) + "};\n";
+    }
+    s += "\n" + lines + "};\n";
   }
   return broken(s + "/// The tier of the last number type, of as many bits as are asked for.\n" +
                 begin_tier("Ziv", true) + "};\n}  // namespace magicmass::generated\n");

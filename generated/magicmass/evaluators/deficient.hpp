@@ -21,7 +21,7 @@ struct DeficientOutputs {
   double beta_;
 };
 /// deficient, general: k from 1 to 1125899906842624.
-/// Theorem: beta_k = deficient_versed_k/deficient_cosine_k
+/// Theorems: beta_k = deficient_versed_k/deficient_cosine_k.
 /// Operations: products: 1, quotients: 2, sines: 1, sums: 1.
 template <class Tier, class N>
 struct DeficientGeneral {

@@ -14,25 +14,21 @@ struct Polynomial {
 struct Fast {
   static constexpr int number = 0;
   static constexpr bool is_tested = false;
-  // off by at most 2^-58.8
+  // off by at most 2^-58.8, 2^-57.1, 2^-59.4, 2^-58.3, 2^-62.2
   static constexpr Polynomial<15, 1> arc_tangent{0x1.5555555555556p-3, {0x1.e6199b2301cf4p-1,
       -0x1.1b751088e6496p-2, 0x1.2622ce48426p-3, -0x1.69f450807d6bap-4, 0x1.e4247d24c161ap-5,
       -0x1.544823b33001ep-5, 0x1.ee671ac53da67p-6, -0x1.6fbb555ae212ap-6, 0x1.1664a43661ce9p-6,
       -0x1.ab5d3eabeb085p-7, 0x1.4ba650e8688dep-7, -0x1.0336495cfcd3p-7, 0x1.98df566febcedp-8,
       -0x1.5bf726e15173ep-8, 0x1.1736816c83a8fp-8}, {0x1.0a95c507aeb99p-55}};
-  // off by at most 2^-57.1
   static constexpr Polynomial<8, 1> sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
       0x1.111111111111p-7, -0x1.a01a01a019938p-13, 0x1.71de3a5460a12p-19, -0x1.ae645412d7392p-26,
       0x1.61217f18512a2p-33, -0x1.ab17daec49a55p-41}, {0x0p+0}};
-  // off by at most 2^-59.4
   static constexpr Polynomial<9, 2> cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
       -0x1.6c16c16c16c14p-10, 0x1.a01a01a01959ep-16, -0x1.27e4fb767ec0ep-22, 0x1.1eed8d3150f4bp-29,
       -0x1.9393d461154e6p-37, 0x1.ab0a099cfa8dep-45}, {0x0p+0, 0x1.dfdc1e797f4b8p-74}};
-  // off by at most 2^-58.3
   static constexpr Polynomial<7, 1> small_sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
       0x1.11111111110f9p-7, -0x1.a01a01a00a186p-13, 0x1.71de3a178173p-19, -0x1.ae637ca505457p-26,
       0x1.5fc2fc49ac3f6p-33}, {0x0p+0}};
-  // off by at most 2^-62.2
   static constexpr Polynomial<8, 2> small_cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
       -0x1.6c16c16c16bd6p-10, 0x1.a01a01a003bb2p-16, -0x1.27e4fb3d7dd91p-22, 0x1.1eecf3addde44p-29,
       -0x1.91fb0066b6a35p-37}, {0x0p+0, 0x1.99270abafac1dp-71}};
@@ -40,7 +36,7 @@ struct Fast {
 struct Accurate {
   static constexpr int number = 1;
   static constexpr bool is_tested = true;
-  // off by at most 2^-79.7
+  // off by at most 2^-79.7, 2^-84.4, 2^-78.0, 2^-79.5, 2^-84.3
   static constexpr Polynomial<21, 8> arc_tangent{0x1.5555555555556p-3, {0x1.e6199b2301cf4p-1,
       -0x1.1b751088e6495p-2, 0x1.2622ce48425fbp-3, -0x1.69f450807e5cep-4, 0x1.e4247d24c50a9p-5,
       -0x1.544823b054864p-5, 0x1.ee671abd05eb1p-6, -0x1.6fbb592bddc79p-6, 0x1.1664a8bd39718p-6,
@@ -50,24 +46,20 @@ struct Accurate {
       {0x1.0adc78664b0c3p-55, -0x1.62df5fb8d653dp-57, 0x1.4df2f0b90685ap-57, -0x1.e3f3843a8b8dp-59,
       0x1.52cece1d16dbfp-59, -0x1.c7f544caac5acp-59, -0x1.57b48d029a6c4p-60,
       0x1.9b422a7646427p-61}};
-  // off by at most 2^-84.4
   static constexpr Polynomial<11, 5> sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
       0x1.1111111111111p-7, -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e3p-26,
       0x1.6124613a86b01p-33, -0x1.ae7f3e72c3bdcp-41, 0x1.952c75f1dc322p-49, -0x1.2f483bc8c4ef4p-57,
       0x1.6f79b98977b11p-66}, {0x0p+0, -0x1.55555555553d9p-57, 0x1.111111098c64dp-63,
       -0x1.a013b8b002711p-73, -0x1.c1d765f921e67p-73}};
-  // off by at most 2^-78.0
   static constexpr Polynomial<11, 5> cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
       -0x1.6c16c16c16c17p-10, 0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5bp-22, 0x1.1eed8eff8d5adp-29,
       -0x1.93974a8b5bb2p-37, 0x1.ae7f3ceaaf63dp-45, -0x1.68256906457cfp-53, 0x1.e208135ff2bf4p-62},
       {0x0p+0, 0x1.10ebe3ed3bbb7p-96, 0x1.5555554a87e6ep-59, 0x1.f49fda7135931p-65,
       0x1.42666d76027dap-76}};
-  // off by at most 2^-79.5
   static constexpr Polynomial<10, 4> small_sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
       0x1.1111111111111p-7, -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544d4p-26,
       0x1.6124613a8193ap-33, -0x1.ae7f3e52cdefcp-41, 0x1.952c020030ad7p-49, -0x1.2e65f783f5fafp-57},
       {0x0p+0, -0x1.5555555555208p-57, 0x1.111110f28f773p-63, -0x1.9feba3ff5ee46p-73}};
-  // off by at most 2^-84.3
   static constexpr Polynomial<10, 5> small_cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
       -0x1.6c16c16c16c17p-10, 0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f48p-22, 0x1.1eed8eff86a9dp-29,
       -0x1.93974a617a33ap-37, 0x1.ae7ea4e6a038p-45, -0x1.66fca8ba7efc5p-53}, {0x0p+0,
@@ -76,7 +68,7 @@ struct Accurate {
 struct Slow {
   static constexpr int number = 2;
   static constexpr bool is_tested = true;
-  // off by at most 2^-107.6
+  // off by at most 2^-107.6, 2^-111.0, 2^-113.4, 2^-112.3, 2^-113.0
   static constexpr Polynomial<28, 18> arc_tangent{0x1.5555555555556p-3, {0x1.e6199b2301cf4p-1,
       -0x1.1b751088e6495p-2, 0x1.2622ce48425fbp-3, -0x1.69f450807e5cep-4, 0x1.e4247d24c50a9p-5,
       -0x1.544823b054866p-5, 0x1.ee671abd05eb7p-6, -0x1.6fbb592bdd7efp-6, 0x1.1664a8bd3904p-6,
@@ -90,7 +82,6 @@ struct Slow {
       -0x1.f228cfcf8cb57p-60, -0x1.4f1aab0a391dp-62, -0x1.218308d724c73p-62, 0x1.e73c95644b75ep-61,
       0x1.6e095584868b3p-62, 0x1.e3fe39ab55604p-64, 0x1.4783d3fe453bep-62, 0x1.c2d4e9efc149cp-63,
       0x1.e08d11cce5ff7p-63, -0x1.0e414446d5d91p-65}};
-  // off by at most 2^-111.0
   static constexpr Polynomial<14, 9> sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
       0x1.1111111111111p-7, -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e4p-26,
       0x1.6124613a86d09p-33, -0x1.ae7f3e733b81fp-41, 0x1.952c77030ad4ap-49, -0x1.2f49b468140b6p-57,
@@ -98,7 +89,6 @@ struct Slow {
       {0x0p+0, -0x1.5555555555555p-57, 0x1.1111111111111p-63, -0x1.a01a01a01a00dp-73,
       -0x1.c154f8ddc6ddap-73, 0x1.c062e06e31a4bp-80, 0x1.f28e06de1b7bcp-87, -0x1.1cdf12a25d40bp-97,
       0x1.ccd78a6f33fc9p-104}};
-  // off by at most 2^-113.4
   static constexpr Polynomial<15, 10> cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
       -0x1.6c16c16c16c17p-10, 0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5cp-22, 0x1.1eed8eff8d898p-29,
       -0x1.93974a8c07c9dp-37, 0x1.ae7f3e733b81fp-45, -0x1.6827863b97d97p-53, 0x1.e542ba402010ep-62,
@@ -106,14 +96,12 @@ struct Slow {
       {0x0p+0, 0x1.70b5d273d1d4bp-145, 0x1.5555555555555p-59, 0x1.f49f49f49f49fp-65,
       0x1.a01a01a019ffbp-76, -0x1.cbbc05b4fa705p-76, -0x1.2aec959f20ca3p-83, -0x1.05d6e70b6abdbp-92,
       0x1.1cbdc0cc723f2p-101, -0x1.278ffa51009dap-107}};
-  // off by at most 2^-112.3
   static constexpr Polynomial<13, 8> small_sine{0x0p+0, {0x1p+0, -0x1.5555555555555p-3,
       0x1.1111111111111p-7, -0x1.a01a01a01a01ap-13, 0x1.71de3a556c734p-19, -0x1.ae64567f544e4p-26,
       0x1.6124613a86d09p-33, -0x1.ae7f3e733b81fp-41, 0x1.952c77030ad45p-49, -0x1.2f49b46812386p-57,
       0x1.71b8ef5f9746bp-66, -0x1.761afc6414139p-75, 0x1.3e7d862655cc2p-84}, {0x0p+0,
       -0x1.5555555555555p-57, 0x1.1111111111111p-63, -0x1.a01a01a01a00bp-73, -0x1.c154f8ddc7012p-73,
       0x1.c062e07198647p-80, 0x1.f28dde5c768b3p-87, -0x1.13fc131aca55p-97}};
-  // off by at most 2^-113.0
   static constexpr Polynomial<13, 8> small_cosine{0x0p+0, {0x1p+0, -0x1p-1, 0x1.5555555555555p-5,
       -0x1.6c16c16c16c17p-10, 0x1.a01a01a01a01ap-16, -0x1.27e4fb7789f5cp-22, 0x1.1eed8eff8d898p-29,
       -0x1.93974a8c07c9dp-37, 0x1.ae7f3e733b816p-45, -0x1.6827863b94b48p-53, 0x1.e542ba28224e4p-62,

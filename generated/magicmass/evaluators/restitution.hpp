@@ -29,11 +29,8 @@ struct RestitutionOutputs {
 ///   next_e between 0x0p+0 and 0x1.0c1bda5119cep+0, last_reach_e between 0x0p+0 and 0x1p+29,
 ///   open_reach_e between 0x0p+0 and 0x1p+29, kept_e between -0x1p+0 and 0x1p+3, parted_e between
 ///   -0x1p+0 and 0x1p+3.
-/// Theorem: N_e = ceil(pi/step_e) - 1
-/// Theorem: a_end = 1*(w_B*taken_e - speeds_e)
-/// Theorem: b_end = 1*(w_B*taken_e)
-/// Theorem: c_end = 1*(w_B*taken_e - second_e)
-/// Theorem: rho_end = w_B*taken_e^2
+/// Theorems: N_e = ceil(pi/step_e) - 1; a_end = 1*(w_B*taken_e - speeds_e); b_end =
+///   1*(w_B*taken_e); c_end = 1*(w_B*taken_e - second_e); rho_end = w_B*taken_e^2.
 /// t_e^2 = z_e: by theorem
 /// Operations: arctangents: 1, powers: 1, products: 14, products by doubles: 14, quotients: 8,
 ///   reciprocal roots: 3, roundings to whole numbers: 1, sines: 2, sums: 17, sums of doubles: 3.

@@ -39,12 +39,8 @@ struct TerminalColumns {
   }
 };
 /// terminal, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1.
-/// Theorem: N_A = ceil(pi/(2*h) - 1/2)
-/// Theorem: N_B = ceil(pi/(2*h) - 1)
-/// Theorem: a_t = 1*(-t_minus*t_plus)
-/// Theorem: b_t = 1*b_form
-/// Theorem: c_t = 1*(2*t_minus*w_cosine)
-/// Theorem: rho = (b_t*inv(1))^2
+/// Theorems: N_A = ceil(pi/(2*h) - 1/2); N_B = ceil(pi/(2*h) - 1); a_t = 1*(-t_minus*t_plus); b_t =
+///   1*b_form; c_t = 1*(2*t_minus*w_cosine); rho = (b_t*inv(1))^2.
 /// z <= 1/3, t^2 = z, t_cosine <= w_cosine: by theorem
 /// rest_sine <= t_cosine: by theorem; and: rest < h/2 is tested of computed values, and both are of
 ///   the computed rest
@@ -133,12 +129,8 @@ struct TerminalSmall {
   }
 };
 /// terminal, first: alpha from 0x1p+0 to 0x1p+300.
-/// Theorem: N_A = 1
-/// Theorem: N_B = 1
-/// Theorem: a_t = 1*(lead*per_mass)
-/// Theorem: b_t = 1*(4*share*per_mass)
-/// Theorem: c_t = 1*(-2*lead*per_mass^2)
-/// Theorem: rho = (b_t*inv(1))^2
+/// Theorems: N_A = 1; N_B = 1; a_t = 1*(lead*per_mass); b_t = 1*(4*share*per_mass); c_t =
+///   1*(-2*lead*per_mass^2); rho = (b_t*inv(1))^2.
 /// Operations: products: 5, products by doubles: 1, quotients: 1, sums of doubles: 2.
 template <class Tier, class N>
 struct TerminalFirst {

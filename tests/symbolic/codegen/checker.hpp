@@ -181,7 +181,7 @@ private:
       const Rounded turned = even(Tier::cosine, end);
       const Rounded as_is = odd(Tier::sine, with_low(top, top * x.loose()));
       add(r, Rounded{std::max(turned.size, as_is.size), std::max(turned.off, as_is.off)} * r.size);
-      r.low.off += slope * (u * spill + u * u / 2) / top * x.size;
+      r.low.off += slope * u * (top * x.loose() + 0x1.1a7p-54 + u / 2) / top * x.size;
       // The cosine near 0 is a small y, with that low part, times the polynomial.
       const Value p = polynomial(Tier::sine, times(end, end), 0);
       if (!is_sine) add(r, times(with_low(0x1p-99, spill), p).low);

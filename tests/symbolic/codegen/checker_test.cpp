@@ -163,15 +163,18 @@ codegen::Quantity sum_and_square() {
   const Expr alpha = kernel::real("alpha");
   const kernel::Theorem x = kernel::define("checked_x", {alpha}, (2 + alpha) * (3 + alpha));
   const kernel::Theorem y = kernel::define("checked_y", {alpha}, cos(2 * alpha));
-  const Expr of_x = x.conclusion().arg(0), of_y = y.conclusion().arg(0);
-  codegen::Case c{"only", {}, {x, y}};
+  const kernel::Theorem z = kernel::define("checked_z", {alpha}, cos(3 * alpha));  // near pi/2
+  const Expr of_x = x.conclusion().arg(0);
+  codegen::Case c{"only", {}, {x, y, z}};
   c.outputs = {kernel::define("checked_sum", {alpha}, of_x + of_x * of_x),
                kernel::define("checked_rest", {alpha}, of_x * of_x - alpha),
                kernel::define("checked_cosine", {alpha}, cos(alpha)),
-               kernel::define("checked_turned", {alpha}, of_y - alpha),
+               kernel::define("checked_sine", {alpha}, sin(4 * alpha)),
+               kernel::define("checked_turned", {alpha}, y.conclusion().arg(0) - alpha / 64),
+               kernel::define("checked_near_0", {alpha}, z.conclusion().arg(0) - alpha),
                kernel::define("checked_power", {alpha}, kernel::fun("pow", {alpha, 5})),
                kernel::define("checked_square", {alpha}, alpha * alpha)};
-  return {"sum", "none", {{alpha, {0.01, 0.52}, {0.01, 0.52}}}, {c}};
+  return {"sum", "none", {{alpha, {0.517, 0.52}, {0.517, 0.52}}}, {c}};
 }
 /// The constants that a header's case has for the k-th type are those printed: how many.
 std::size_t check_constants(const codegen::Emitted& emitted, const std::string& name, std::size_t k,
