@@ -35,17 +35,18 @@ std::vector<std::filesystem::path> students_of(const std::string& place) {
   if (students.empty())
     throw InvalidInput("learn grade: no folders of students in " + answers::shown_text(place, 200) +
                        (error ? ": " + error.message() : ""));
+  if (students.size() > 1000)  // as the command's help says
+    throw answers::Undecided("learn grade: " + std::to_string(students.size()) +
+                             " students are more than are graded at once; at most 1000");
   std::ranges::sort(students);
   return students;
 }
 
-std::vector<Exercise> chosen(const std::vector<Exercise>& all, const std::string& ids) {
+std::vector<Exercise> chosen(std::vector<Exercise> all, const std::string& ids) {
   std::set<std::string> names;
   for (const std::string& id : learn::split(ids, ',')) names.insert(named(all, id).id);
-  std::vector<Exercise> some;
-  for (const Exercise& e : all)
-    if (names.empty() || names.contains(e.id)) some.push_back(e);
-  return some;
+  if (!names.empty()) std::erase_if(all, [&](const auto& e) { return !names.contains(e.id); });
+  return all;
 }
 
 }  // namespace

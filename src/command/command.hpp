@@ -23,7 +23,6 @@ struct Option {
   std::vector<std::string> choices = {};  ///< what is allowed, if not everything
   bool is_required = false;
   bool is_column = false;  ///< may be a column of --input, which commands with such an option have
-  std::optional<Limits> limits = {};  ///< the command's with this option
 };
 
 struct Command {
@@ -40,7 +39,7 @@ struct Command {
   Limits limits = {};              ///< unless told otherwise
   std::string folder_format = {};  ///< that is a folder of files, which `run` writes to --output
   bool takes_formulas = false;     ///< its words may begin with a minus sign
-  std::vector<std::string> endless = {};  ///< first words for which the time is no_limit
+  std::map<std::string, Limits> limits_of = {};  ///< with this option, or this first word
 };
 
 /// The program: all that differs between magicmass and a test's.

@@ -40,12 +40,9 @@ Program magicmass() {
       {.name = "verify",
        .summary = "Proves every line of the derivation again",
        .example = "magicmass verify",
-       .options = {{.name = "with",
-                    .value = "CHECKER",
-                    .words = "coq: coqc checks each step, too; 3600 s, 4096 MIB",
-                    .choices = {"coq"},
-                    .limits = Limits{3600, 4096}}},
-       .run = verify},
+       .options = {{"with", "CHECKER", "coq: coqc checks each step, too (minutes)", {"coq"}}},
+       .run = verify,
+       .limits_of = {{"with", {3600, 4096}}}},
       {.name = "eval",
        .summary = "Velocities after n cycles",
        .example = "magicmass eval --alpha 0.12 --n 2",
@@ -139,12 +136,13 @@ Program magicmass() {
                    {"only", "LIST", "grade: these exercises, such as half_angle,axis"},
                    {"why", "", "grade: what is said to each answer"},
                    {"summary", "", "grade: how many students had which misconception"}},
-       .words = "list, show ID, check ID ANSWER, hint ID [N],\n"
-                "solution ID, watch [FOLDER], grade CLASS,\nnew FILE or test [FILE]",
+       .words =
+           "list, show ID, check ID ANSWER, hint ID [N],\n"
+           "solution ID, watch [FOLDER], new FILE,\ntest [FILE], or grade CLASS of at most 1000",
        .run = classroom::learn_by_exercises,
        .limits = {.seconds = 60},
        .takes_formulas = true,
-       .endless = {"watch", "grade"}},
+       .limits_of = {{"grade", {86'400}}, {"watch", {no_limit}}}},
   };
   return {"magicmass",
           "Magic mass ratios: from conservation laws to proved, generated, measured C++",

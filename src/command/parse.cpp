@@ -24,13 +24,18 @@ std::vector<Option> options_of(const Command& command) {
         {"input", "FILE", "CSV of " + joined(columns) + ", others skipped; - is stdin"});
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
-  const std::string endless = command.endless.empty() ? "" : "; none: " + joined(command.endless);
+  std::string seconds, mebibytes;
+  for (const auto& [word, limits] : command.limits_of) {
+    const bool has_end = limits.seconds != no_limit;
+    seconds += "\n" + word + ": " + (has_end ? std::to_string(limits.seconds) : "none");
+    mebibytes += "\n" + word + ": " + std::to_string(limits.mebibytes);
+  }
   options.push_back({"time-limit", "SECONDS",
                      "give up after so long, " + std::to_string(command.limits.seconds) +
-                         " unless told otherwise" + endless});
+                         " unless told otherwise" + seconds});
   options.push_back({"memory-limit", "MIB",
                      "at most so much memory, " + std::to_string(command.limits.mebibytes) +
-                         " unless told otherwise"});
+                         " unless told otherwise" + mebibytes});
   return options;
 }
 
@@ -98,9 +103,9 @@ Request request_of(const Command& command, const std::vector<Option>& options,
 }
 
 Asked asked_for(const Command& command, const std::vector<Option>& options, Request request) {
-  const auto& endless = command.endless;
-  const bool has_end = request.words.empty() || std::ranges::count(endless, request.words[0]) == 0;
   Limits usual = command.limits;
+  for (const auto& [word, limits] : command.limits_of)
+    if (request.has(word) || (!request.words.empty() && request.words[0] == word)) usual = limits;
   request.format = request.has("format") ? request.text("format") : command.formats.front();
   for (const Option& option : options) {
     const std::string value = request.text(option.name);
@@ -108,15 +113,13 @@ Asked asked_for(const Command& command, const std::vector<Option>& options, Requ
     if (is_given && !option.choices.empty() && std::ranges::count(option.choices, value) == 0)
       throw InvalidInput(command.name + ": unknown " + option.name + " " + shown_text(value) +
                          "; allowed: " + joined(option.choices));
-    if (is_given) usual = option.limits.value_or(usual);
     const bool may_be_column = request.has("input") && option.is_column;
     if (option.is_required && !is_given && !may_be_column)
       throw InvalidInput(command.name + ": --" + option.name +
                          " is missing; example: " + command.example);
   }
-  const Limits limits{
-      request.whole("time-limit", 1, no_limit).value_or(has_end ? usual.seconds : no_limit),
-      request.whole("memory-limit", 16, 1'000'000'000).value_or(usual.mebibytes)};
+  const Limits limits{request.whole("time-limit", 1, no_limit).value_or(usual.seconds),
+                      request.whole("memory-limit", 16, 1'000'000'000).value_or(usual.mebibytes)};
   return {&command, std::move(request), limits};
 }
 
