@@ -41,16 +41,10 @@ std::size_t width(std::string_view text) {
   return std::size_t(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-std::string padded(const std::string& text, std::size_t to) {
-  const std::size_t has = width(text);
-  return has < to ? text + std::string(to - has, ' ') : text;
-}
-
-std::string line_of(const std::vector<std::string>& texts, const std::vector<std::size_t>& widths) {
-  std::string line;
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    line += padded(texts[i], widths[i]) + std::string(between_columns, ' ');
-  return line.erase(line.find_last_not_of(' ') + 1) + "\n";
+/// Adds blanks to what the text has from there on, two at least.
+void pad(std::string& text, std::size_t from, std::size_t to) {
+  const std::size_t has = width(std::string_view(text).substr(from));
+  text.append(std::max(has, to) - has + between_columns, ' ');
 }
 
 /// The width of each column, or none where they do not fit together.
@@ -89,16 +83,6 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     rest.remove_prefix(blank + 1);
   }
   return lines.append(rest);
-}
-
-std::string block_of(const Names& columns, const Row& row) {
-  std::size_t widest = 0;
-  for (const std::string& column : columns) widest = std::max(widest, width(column));
-  std::string text;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    text += padded(columns[i], widest + between_columns) +
-            wrapped(shown(row.at(i)), widest + between_columns) + "\n";
-  return text;
 }
 
 }  // namespace
@@ -177,24 +161,43 @@ bool Block::answers(std::size_t row) const {
                : std::get<std::vector<std::int64_t>>(columns.back())[row] >= 0;
 }
 
+void Writer::open_text(std::span<const Row> block) {
+  if (is_list_) widths_ = widths_of(columns_, block);
+  before_.assign(columns_.size(), "");
+  if (!widths_.empty()) return append_row(opening_, [&](auto i) { opening_ += columns_[i]; });
+  std::size_t widest = 0;
+  for (const std::string& column : columns_) widest = std::max(widest, width(column));
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    pad(before_[i] = (i == 0 ? "" : "\n") + columns_[i], i == 0 ? 0 : 1, widest);
+}
+
 void Writer::append_row(std::string& text, const auto& append_field) {
+  const bool is_text = format_ == Format::text, is_table = !widths_.empty();
+  const bool is_object = !is_text && format_ != Format::csv;
   if (format_ == Format::json && is_list_) text += is_first_ ? "\n" : ",\n";
-  if (format_ != Format::csv) text += '{';
+  if (is_text && !is_table && !is_first_) text += '\n';
+  if (is_object) text += '{';
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     text += before_[i];
+    const std::size_t from = text.size();
     append_field(i);
+    if (is_table) pad(text, from, widths_[i]);
   }
-  text += format_ == Format::csv ? "\n" : format_ == Format::json ? "}" : "}\n";
+  if (is_table) text.erase(text.find_last_not_of(' ') + 1);
+  text += !is_object ? "\n" : format_ == Format::json ? "}" : "}\n";
   is_first_ = false;
 }
 
 std::string Writer::rows(std::span<const Row> block) {
-  if (format_ == Format::text) return text_rows(block);
+  if (format_ == Format::text && is_first_) open_text(block);
   std::string text = std::exchange(opening_, "");
   for (const Row& row : block) {
     append_row(text, [&](std::size_t i) {
       const Cell& cell = row.at(i);
-      text += format_ == Format::csv ? csv_field(cell.text) : cell.json;
+      text += format_ == Format::csv    ? csv_field(cell.text)
+              : format_ != Format::text ? cell.json
+              : widths_.empty()         ? wrapped(shown(cell), width(before_[0]))
+                                        : shown(cell);
     });
   }
   return text;
@@ -204,28 +207,12 @@ void Writer::append(std::string& text, const Block& block, std::size_t row) {
   text += std::exchange(opening_, "");
   append_row(text, [&](std::size_t i) {
     if (const auto* cell = std::get_if<Cell>(&block.columns[i]))
-      text += format_ == Format::csv ? cell->text : cell->json;
+      text += format_ == Format::csv || format_ == Format::text ? cell->text : cell->json;
     else if (const auto* wholes = std::get_if<std::vector<std::int64_t>>(&block.columns[i]))
       append_number(text, (*wholes)[row]);
     else
       append_number(text, std::get<std::vector<double>>(block.columns[i])[row]);
   });
-}
-
-std::string Writer::text_rows(std::span<const Row> block) {
-  std::string text;
-  if (is_first_ && is_list_) {
-    widths_ = widths_of(columns_, block);
-    text = widths_.empty() ? "" : line_of(columns_, widths_);
-  }
-  for (const Row& row : block) {
-    if (widths_.empty())
-      text += (is_first_ ? "" : "\n") + block_of(columns_, row);
-    else
-      text += line_of(texts_of(row, shown), widths_);
-    is_first_ = false;
-  }
-  return text;
 }
 
 std::string Writer::end() const {

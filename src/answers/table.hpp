@@ -73,7 +73,7 @@ public:
   Writer(Format format, Names columns, bool is_list);
   /// What follows for these rows; the first call of this or the next writes the header too.
   std::string rows(std::span<const Row> block);
-  /// Appends a row of the block to the text; JSON and CSV alone.
+  /// Appends a row of the block to the text; in the format text never the first row.
   void append(std::string& text, const Block& block, std::size_t row);
   /// What ends the whole, after one call of rows() at least.
   std::string end() const;
@@ -87,7 +87,8 @@ private:
   std::vector<std::string> before_;  // each field, such as its name in JSON
   std::vector<std::size_t> widths_;  // empty: a block of lines a row
 
-  std::string text_rows(std::span<const Row> block);
+  /// As wide as these rows need.
+  void open_text(std::span<const Row> block);
   void append_row(std::string& text, const auto& append_field);
 };
 

@@ -61,7 +61,8 @@ void write_answers(const Asked& asked, CsvReader& reader, answers::Rows rows, De
   };
   while (reader.read(rows.fields, rows_at_once)) {
     answers::Block block;
-    if (format != answers::Format::text) block = command.run_block(rows);
+    const bool shows_widths = format == answers::Format::text && done == 0;
+    if (!shows_widths) block = command.run_block(rows);
     const std::size_t size = rows.fields.size();
     for (std::size_t row = 0; row < size; ++row) {
       if (block.answers(row)) {
