@@ -85,18 +85,19 @@ Balls terminal(const Alpha& alpha, const LargeCounts& counts) {
   return {after_P[0], after_Q[1], Q_is_last ? after_Q[3] : after_P[2], after_Q[1] * after_Q[1]};
 }
 
-Balls terminal(const Trio& trio, std::int64_t N) {
-  const Balls v = trio.velocities(trio.shape(), N);
+Balls terminal(const Trio& trio, std::optional<std::int64_t> N) {
+  if (!N) {
+    const Trio::Collision c = trio.collapse(trio.shape());
+    return {c.v_left, c.v_left, c.v_left, power(c.v_left, 2), c.time};
+  }
+  const Balls v = trio.velocities(trio.shape(), *N);
   return {v[0], v[2], v[1], v[2] * v[2]};
 }
 
 Cell rho(const Alpha& alpha, const cl_RA& e) {
   const Trio trio = Trio::equal_blocks(value_of(alpha), value_of(e));
   const auto N = trio.count();
-  const auto at_end = [&]() -> Ball {
-    return N ? terminal(trio, *N)[3] : power(trio.collapse(trio.shape()).v_left, 2);
-  };
-  return rounded([&] { return Balls{at_end()}; })[0];
+  return rounded([&] { return Balls{terminal(trio, N)[3]}; })[0];
 }
 
 std::optional<int> digits_wanted(const Request& request) {

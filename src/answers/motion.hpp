@@ -36,8 +36,8 @@ using Balls = std::vector<Ball>;
 Balls velocities(const notation::Alpha& alpha, const cln::cl_I& n);
 Balls terminal(const notation::Alpha& alpha, const LargeCounts& counts);
 
-/// The terminal a, b, c and rho after all of N collisions.
-Balls terminal(const Trio& trio, std::int64_t N);
+/// The terminal a, b, c and rho after all of N collisions; of infinitely many, and when they end.
+Balls terminal(const Trio& trio, std::optional<std::int64_t> N);
 /// The terminal rho, the nearest double; missing where the collisions never end.
 Cell rho(const notation::Alpha& alpha, const cln::cl_RA& e);
 

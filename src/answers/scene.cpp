@@ -49,9 +49,15 @@ Cell short_cell(const Number& number, bool exact) {
 Cell bound_cell(double bound) { return whole_cell(formatted("%.2g", 1.06 * bound)); }
 
 Fields status_fields(const Result& result) {
-  Fields fields{{"status", text_cell(status_name(result.status))}};
-  if (!result.why.empty()) fields.emplace_back("why", text_cell(result.why));
-  return fields;
+  return {{"status", text_cell(status_name(result.status))},
+          {"why", result.why.empty() ? missing_cell() : text_cell(result.why)}};
+}
+
+/// Text leaves out what is not there; all else has one shape for every model.
+Table shown_in(Format format, Fields fields) {
+  const auto is_missing = [](const auto& field) { return field.second.json == "null"; };
+  if (format == Format::text) std::erase_if(fields, is_missing);
+  return one_row(fields);
 }
 
 /// So many collisions, or what stands for infinitely many.
@@ -73,13 +79,16 @@ Fields head_fields(const Asked& asked) {
   const std::string plan = result.plan.model + ": " + result.plan.reason;
   Fields fields = status_fields(result);
   fields.emplace_back("plan", Cell{plan, object_cell(plan_fields(result)).json});
-  if (result.collapse_time)
-    fields.emplace_back("collapse", object_cell({{"time", shown(*result.collapse_time)},
-                                                 {"position", shown(*result.collapse_position)}}));
-  if (const auto& error = result.errors)
-    fields.emplace_back("error", object_cell({{"time", bound_cell(error->time)},
-                                              {"position", bound_cell(error->position)},
-                                              {"velocity", bound_cell(error->velocity)}}));
+  const auto& end = result.collapse_time;
+  fields.emplace_back(
+      "collapse",
+      end ? object_cell({{"time", shown(*end)}, {"position", shown(*result.collapse_position)}})
+          : missing_cell());
+  const auto& error = result.errors;
+  fields.emplace_back("error", error ? object_cell({{"time", bound_cell(error->time)},
+                                                    {"position", bound_cell(error->position)},
+                                                    {"velocity", bound_cell(error->velocity)}})
+                                     : missing_cell());
   if (scene.wants("counts")) {
     Fields counts;
     const std::size_t gaps = scene.masses.size() + (scene.right_wall ? 1 : 0);
@@ -159,7 +168,7 @@ void write_all(const Asked& asked, Format format, const Write& write) {
       write(written(one_row(status_fields(asked.result)), format));
     return;
   }
-  std::string head = written(one_row(head_fields(asked)), format);
+  std::string head = written(shown_in(format, head_fields(asked)), format);
   if (format == Format::json) head.erase(head.size() - 2);  // "}\n"
   write(head);
   for (const bool is_points : {false, true}) {
@@ -176,8 +185,10 @@ void write_all(const Asked& asked, Format format, const Write& write) {
 Answer plan(const Request& request) {
   const Result result = asked(request, "plan").result;
   Fields fields = plan_fields(result);
-  if (result.status == Status::limited) fields.emplace_back("limited", text_cell(result.why));
-  return {.table = one_row(fields), .is_undecided = result.is_undecided};
+  fields.emplace_back("limited",
+                      result.status == Status::limited ? text_cell(result.why) : missing_cell());
+  return {.table = shown_in(format_of(request.format), fields),
+          .is_undecided = result.is_undecided};
 }
 
 Answer simulate(const Request& request) {

@@ -36,8 +36,9 @@ struct Asked {
   const double* number = tier == "exact" ? nullptr : std::get_if<double>(&alpha);
 
   /// Fractions that so many steps make longer by so many bits of the mass ratio and of `others`
-  /// each, or rounded from short ones: these may be halfway between two. Else of balls. Throws
-  /// where fractions are wanted: InvalidInput where there are none, Undecided for too long ones.
+  /// each, or rounded from short ones: these may be halfway between two. Else of balls, where these
+  /// can tell. Throws where fractions are wanted: InvalidInput where there are none, Undecided for
+  /// too long ones.
   Row cells(const cln::cl_I& steps, const std::string& name, const auto& fractions,
             const std::function<Balls()>& balls, int longest = 1 << 22,
             std::size_t others = 0) const {
@@ -47,7 +48,11 @@ struct Asked {
                          " need not be fractions; add --digits D");
     const std::size_t length = Quadratic(fraction.value_or(0)).bits();
     const cln::cl_I bits = steps * static_cast<long long>(2 * length + others);
-    if (!fraction || (!wants_fractions && bits > 1 << 14)) return rounded(balls, digits);
+    if (!fraction || (!wants_fractions && bits > 1 << 11)) try {
+        return rounded(balls, digits);
+      } catch (const Undecided&) {
+        if (!fraction || bits > 1 << 14) throw;
+      }
     if (bits > longest)
       throw Undecided("exact fractions after " + kernel::digits(steps) + " " + name +
                       " would have some " + kernel::digits(bits) + " bits; add --digits D");
@@ -165,7 +170,9 @@ Row end_of(const Asked& in, const Alpha& restitution) {
     return concatenated({count_cells(counts), in.cells(counts.N_A, "cycles", exactly, balls)});
   }
   const Trio trio = Trio::equal_blocks(value_of(in.alpha), value_of(e));
-  if (const auto N = trio.count()) {
+  const auto N = trio.count();
+  const auto balls = [&] { return answers::terminal(trio, N); };
+  if (N) {
     constexpr int longest = 1 << 18;                    // each step reduces its fractions
     const auto exactly = [&](const cln::cl_RA& mass) {  // by the law of one collision
       magicmass::simulator::InTurn<cln::cl_RA> now(1, mass, 1, e);
@@ -173,7 +180,6 @@ Row end_of(const Asked& in, const Alpha& restitution) {
       const auto& [a, c, b] = now.velocities;
       return std::vector{a, b, c, b * b};
     };
-    const auto balls = [&] { return answers::terminal(trio, *N); };
     return concatenated({count_cells({(*N + 1) / 2, *N / 2}),
                          in.cells(*N, "collisions", exactly, balls, longest, Quadratic(e).bits())});
   }
@@ -181,12 +187,7 @@ Row end_of(const Asked& in, const Alpha& restitution) {
     throw Undecided(
         "terminal: infinitely many collisions end at a time that may be no fraction; add --digits "
         "D");
-  const auto end = [&] {
-    const Trio::Collision c = trio.collapse(trio.shape());
-    const Ball& v = c.v_left;
-    return Balls{v, v, v, v * v, c.time};
-  };
-  return concatenated({Row(2, {"infinitely many", "null"}), rounded(end, in.digits)});
+  return concatenated({Row(2, {"infinitely many", "null"}), rounded(balls, in.digits)});
 }
 
 Answer terminal(const Request& request) {

@@ -14,6 +14,17 @@ std::optional<std::size_t> Scene::receiver() const {
   return rests(velocities[last]) ? std::nullopt : std::optional<std::size_t>(0);
 }
 
+Scene mirrored(Scene scene) {
+  const auto turn = [](Value& x) { x = negative(x); };
+  for (auto* values : {&scene.masses, &scene.positions, &scene.velocities})
+    std::ranges::reverse(*values);
+  for (auto* values : {&scene.positions, &scene.velocities}) std::ranges::for_each(*values, turn);
+  std::swap(scene.left_wall, scene.right_wall);
+  for (auto* wall : {&scene.left_wall, &scene.right_wall})
+    if (*wall) turn(**wall);
+  return scene;
+}
+
 std::string body_name(const Scene& scene, std::size_t body) {
   if (scene.has("blocks")) return (body % 2 == 0 ? "A_" : "C_") + std::to_string(body / 2 + 1);
   if (scene.kind == Kind::chain) return std::to_string(body + 1);

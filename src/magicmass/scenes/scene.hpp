@@ -25,17 +25,17 @@ using balls::nearest_double;
 using balls::NotCertain;
 using balls::Quadratic;
 
-/// A number as a scene writes it, kept as what it is.
+/// A number as a scene writes it, kept as what it is, or a difference of two.
 struct Value {
   std::string text;  ///< as it was written
-  /// alpha_k or beta_k where it is in no quadratic field.
-  std::variant<Quadratic, notation::Threshold> number;
-  bool is_negative = false;  ///< minus that ratio
+  Quadratic number = 0;
+  /// alpha_k or beta_k where it is in no quadratic field: then that, or minus that, is added.
+  std::optional<notation::Threshold> ratio = {};
+  int sign = 1;
 
-  const Quadratic* exact() const { return std::get_if<Quadratic>(&number); }
-  bool is(const Quadratic& x) const { return exact() != nullptr && *exact() == x; }
-  const notation::Threshold* ratio() const { return std::get_if<notation::Threshold>(&number); }
-  bool is_positive() const { return exact() ? Quadratic(0) < *exact() : !is_negative; }
+  const Quadratic* exact() const { return ratio ? nullptr : &number; }
+  bool is(const Quadratic& x) const { return !ratio && number == x; }
+  bool is_positive() const;
   /// The nearest double. Throws Undecided where none is near.
   double to_double() const;
 };
@@ -145,6 +145,9 @@ struct Scene {
 Scene read_scene(const std::string& path);
 /// The same from text.
 Scene parse_scene(std::string_view text, const std::string& source);
+
+/// The bodies and walls that a mirror shows.
+Scene mirrored(Scene scene);
 
 /// A, C, B, where C is the ball; in a chain 1, 2, ..., of blocks and balls A_1, C_1, A_2, ...
 std::string body_name(const Scene& scene, std::size_t body);

@@ -40,12 +40,19 @@ std::vector<double> certain(const Balls& balls) {
 }
 /// Whether collision j comes by this time.
 bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
-  const auto exact = trios.exact_time(j);
-  if (exact && time.exact() != nullptr) try {
-      return !(*time.exact() < *exact);
-    } catch (const std::domain_error&) {  // of two fields, so not equal
+  const auto exactly = [&](bool is_hard) -> std::optional<bool> {
+    const auto at = trios.exact_time(j, is_hard);
+    const auto late = at ? difference({"", *at}, time) : std::nullopt;
+    return late && late->exact() ? std::optional(!late->is_positive()) : std::nullopt;
+  };
+  auto is_early = exactly(j < 16);
+  if (!is_early) try {
+      is_early = trios.collision(j).time <= ball_of(time);
+    } catch (const NotCertain&) {
+      if (Ball::bits() > 1500) is_early = exactly(true);
+      if (!is_early) throw;
     }
-  return trios.collision(j).time <= ball_of(time);
+  return *is_early;
 }
 /// How many of the first `most` come by this time.
 std::int64_t count_until(const Trios& trios, const Value& time, std::int64_t most) {
@@ -66,16 +73,21 @@ std::optional<std::int64_t> within(const Trios& trios, const Scene& scene) {
   return count_until(trios, *scene.until, N.value_or(limit));
 }
 /// All but the plan after so many collisions, or after infinitely many.
-Result after(const Trios& trios, std::optional<std::int64_t> collisions) {
+Result after(const Scene& scene, const Trios& trios, std::optional<std::int64_t> collisions) {
   Result result;
   result.events = collisions.value_or(0);
   result.counts = trios.counts(result.events);
   const std::size_t bodies = trios.bodies(), last = trios.last();
   const std::vector<double> numbers = certain([&] {
     const Trio::Collision end = collisions ? Trio::Collision() : trios.collapse();
-    const std::vector<Ball> masses = trios.masses(), v = collisions
-                                                             ? trios.velocities(*collisions)
-                                                             : std::vector(bodies, end.v_left);
+    const std::vector<Ball> v =
+        collisions ? trios.velocities(*collisions) : std::vector(bodies, end.v_left);
+    std::vector<Ball> masses;
+    std::map<std::string, Ball> known;  // a cradle has many of one ratio
+    for (const Value& mass : scene.masses) {
+      const auto [at, is_new] = known.try_emplace(mass.text);
+      masses.push_back(is_new ? at->second = ball_of(mass) : at->second);
+    }
     const Ball before = energy(masses, trios.velocities(0));
     std::vector<Ball> all{before, energy(masses, v),
                           energy<Ball>({masses[last]}, {v[last]}) / before, end.time, end.position};
@@ -107,7 +119,7 @@ Found<Result> by_theorem(const Scene& scene, std::int64_t few) {
   try {
     const auto events = within(*trios, scene);
     const bool is_few = events && *events <= few && has_exact_numbers(scene);
-    Result result = is_few ? Result() : after(*trios, events);
+    Result result = is_few ? Result() : after(scene, *trios, events);
     result.plan = {trios->alone() ? "theorem" : "transfers", is_few,
                    !trios->alone()
                        ? "a cradle: each ball of a magic ratio hands on all to the next block"
@@ -155,7 +167,6 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
   }
 }
 
-/// Where the time may be that of a collision, the ways before and after it have the same doubles.
 std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int64_t> most,
                                       const std::optional<Value>& time) {
   const Trios trios = *Trios::of(scene);
@@ -170,21 +181,9 @@ std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int
         return rounded(
             [&] { return std::vector(trios.bodies(), end.position + end.v_left * since); });
     }
-    int open = 0;
-    const auto after = [&](bool if_open) {
-      const std::int64_t N = count_of(most.value_or(INT64_MAX / 4), [&](std::int64_t j) {
-        try {
-          return is_by(trios, j, *time);
-        } catch (const NotCertain&) {
-          ++open;
-          return if_open;
-        }
-      });
-      return std::pair(N, rounded([&] { return trios.places(at, N); }));
-    };
-    const auto [N, places] = after(false);
-    if (open == 0 || after(true) == std::pair(N + 1, places)) return places;
-    return {};
+    const std::int64_t N = count_of(most.value_or(INT64_MAX / 4),
+                                    [&](std::int64_t j) { return is_by(trios, j, *time); });
+    return rounded([&] { return trios.places(at, N); });
   };
   return with_bits(17, told, " to tell where bodies are at the time " + time->text);
 }

@@ -69,10 +69,18 @@ std::array<Ball, 3> places_seen(const Trio::Shape& s, const Swing& c, const Trio
                                 c.per_unit, V, W, d_A, d_B, time, turn);
   return {at.A_at, at.C_at, c.j == 0 ? Ball(0) : Ball(at.B_at)};  // B was not met
 }
+/// Of five speeds, or how a later one follows from two before it, as first_speeds() says.
+Quadratic factor_of(const Trio::Speeds& s) { return s[2] == 0 ? 0 : (s[0] + s[4]) / s[2]; }
+/// That of collision j + 4 instead of that of j; false where it is too long.
+bool go_on(Trio::Speeds& s, const Quadratic& factor, std::int64_t j) {
+  Quadratic& one = s[std::size_t(j % 4)];
+  one = factor * s[std::size_t((j + 2) % 4)] - one;
+  return one.bits() < Trio::longest_tie;
+}
 }  // namespace
 
 Found<Trio> Trio::of(const Start& start) try {
-  const auto& [masses, e, V, r, d_A, d_B, place, drift, sign] = start;
+  const auto& [masses, e, V, r, d_A, d_B, place, drift] = start;
   Trio t;
   t.from_ = start;
   t.exact_ = t.exact_bodies();
@@ -96,26 +104,18 @@ Found<Trio> Trio::of(const Start& start) try {
 } catch (const Undecided&) {
   return unknown;
 }
-Found<Trio> Trio::of(const Scene& scene, bool is_mirrored) {
-  const auto &wall = is_mirrored ? scene.left_wall : scene.right_wall,
-             &behind = is_mirrored ? scene.right_wall : scene.left_wall;
-  if (scene.masses.size() + (wall ? 1 : 0) != 3 || behind) return "";
-  std::vector<Value> masses = scene.masses, x = scene.positions, v = scene.velocities;
-  if (is_mirrored)
-    for (auto* const values : {&masses, &x, &v}) std::ranges::reverse(*values);
-  x.push_back(wall.value_or(value_of(0)));
+Found<Trio> Trio::of(const Scene& scene) {
+  if (scene.masses.size() + (scene.right_wall ? 1 : 0) != 3 || scene.left_wall) return "";
+  std::vector<Value> x = scene.positions, v = scene.velocities;
+  x.push_back(scene.right_wall.value_or(value_of(0)));
   v.push_back(value_of(0));
-  const auto over = [&](const Value& left, const Value& right) {
-    return is_mirrored ? difference(left, right) : difference(right, left);
-  };
-  const auto V = over(v[1], v[0]), U = over(v[2], v[0]);
-  const auto d_A = over(x[0], x[1]), d_B = over(x[1], x[2]);
+  const auto V = difference(v[0], v[1]), U = difference(v[0], v[2]);
+  const auto d_A = difference(x[1], x[0]), d_B = difference(x[2], x[1]);
   if (!V || !U || !d_A || !d_B) return unknown;
   if (V->is(0)) return "";
   const auto U_per_V = quotient(*U, *V);
   if (!U_per_V) return unknown;
-  return of(
-      {masses, scene.restitution, *V, *U_per_V - 1, *d_A, *d_B, x[2], v[2], is_mirrored ? -1 : 1});
+  return of({scene.masses, scene.restitution, *V, *U_per_V - 1, *d_A, *d_B, x[2], v[2]});
 }
 Trio Trio::equal_blocks(const Value& alpha, const Value& e) {
   return *of(Start{{value_of(1), alpha, value_of(1)}, e});
@@ -149,29 +149,22 @@ Trio::Shape Trio::shape() const {
 /// (chebyshev.double), so that of bodies that begin with W = -V the next two are side by side
 /// after k.
 std::optional<std::int64_t> Trio::count_at_threshold() const {
-  const auto* const ratio = from_.masses[1].ratio();
+  const auto& ratio = from_.masses[1].ratio;
   if (ratio && ratio->is_magic && from_.W_per_V == -1) return cln::cl_I_to_long(ratio->k);
   if (!is_at_rest()) return {};
   if (ratio) return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
-  const auto end = first_collisions(largest_tie);
-  const bool is_one = end && end->velocities[0] == 0 && end->velocities[1] == 0;
-  return is_one ? std::optional(end->collisions) : std::nullopt;
-}
-std::optional<simulator::InTurn<Quadratic>> Trio::first_collisions(std::int64_t most) const try {
-  if (!exact_) return {};
-  simulator::InTurn<Quadratic> now(exact_->A, 1, exact_->per_B, exact_->e, 1, from_.W_per_V);
-  while (now.collisions <= most && Quadratic(0) < now.approach()) now.step();
-  return now;
-} catch (const std::domain_error&) {  // masses and velocities of two fields
-  return {};
+  static const Value second = read_value("sqrt(5)-2");
+  const Value& C = from_.masses[1];
+  const bool is_second = quotient(C, second) == Quadratic(1);
+  return C.is(1) ? std::optional(2) : is_second ? std::optional(4) : std::nullopt;
 }
 /// By any_start.speed each second approach speed, over e each time, is a sum of each second
 /// U_j(kappa): each follows from the two before by one factor, which the first three tell
 /// (chebyshev.two_steps), and evenly where kappa is 1 (chebyshev.steps).
-std::optional<std::array<Quadratic, 5>> Trio::first_speeds(const Quadratic& W_per_V) const try {
+std::optional<Trio::Speeds> Trio::first_speeds(const Quadratic& V, const Quadratic& W) const try {
   if (!exact_) return {};
-  simulator::InTurn<Quadratic> now(exact_->A, 1, exact_->per_B, exact_->e, 1, W_per_V);
-  std::array<Quadratic, 5> speeds;
+  simulator::InTurn<Quadratic> now(exact_->A, 1, exact_->per_B, exact_->e, V, W);
+  Speeds speeds;
   Quadratic loss = 1;
   for (std::size_t j = 0; j < 5; now.step(), ++j) {
     speeds[j] = now.approach() / loss;
@@ -186,27 +179,30 @@ std::optional<std::array<Quadratic, 5>> Trio::first_speeds(const Quadratic& W_pe
 std::optional<int> Trio::end_sign(const Quadratic& V, const Quadratic& W) const try {
   const auto sign = [](const Quadratic& x) { return 0 < x ? 1 : x == 0 ? 0 : -1; };
   if (V == 0) return sign(W);
-  const auto s = first_speeds(W / V);
+  const auto s = first_speeds(1, W / V);
   if (!s) return {};
   const auto& [s_0, s_1, s_2, s_3, s_4] = *s;
   return sign(V) * (s_0 < s_2 ? 1 : sign(s_0 * s_4 - s_2 * s_2));
 } catch (const std::domain_error&) {
   return {};
 }
-std::optional<std::int64_t> Trio::exact_count() const {
-  auto at_first = first_speeds(from_.W_per_V);
-  if (!at_first) return {};
-  auto& speeds = *at_first;
+std::optional<Quadratic> Trio::speed(Speeds s, const Quadratic& factor, std::int64_t j) const {
+  const std::size_t i = j % 2 == 0 ? 0 : 1;
   if (exact_->q_e == 0)
-    return count_of(std::int64_t(1) << 62U, [&](std::int64_t j) {
-      const std::size_t i = j % 2 == 0 ? 0 : 1;
-      const Quadratic &first = speeds[i], &next = speeds[i + 2];
-      return 0 < first + Quadratic(cl_I(static_cast<long long>(j / 2))) * (next - first);
-    });
-  const Quadratic factor = speeds[2] == 0 ? 0 : (speeds[0] + speeds[4]) / speeds[2];
-  for (std::size_t j = 0; speeds[j % 4].bits() < longest_tie; ++j) {
-    if (!(0 < speeds[j % 4])) return j;
-    speeds[j % 4] = factor * speeds[(j + 2) % 4] - speeds[j % 4];
+    return s[i] + Quadratic(cl_I(static_cast<long long>(j / 2))) * (s[i + 2] - s[i]);
+  for (std::int64_t k = 0; k < j; ++k)
+    if (!go_on(s, factor, k)) return {};
+  return s[std::size_t(j % 4)];
+}
+std::optional<std::int64_t> Trio::exact_count(std::int64_t most) const {
+  auto speeds = first_speeds(1, from_.W_per_V);
+  if (!speeds) return {};
+  const Quadratic factor = factor_of(*speeds);
+  const auto comes = [&](std::int64_t j) { return 0 < *speed(*speeds, factor, j); };
+  if (exact_->q_e == 0) return count_of(std::int64_t(1) << 62U, comes);
+  for (std::int64_t j = 0; j <= most; ++j) {
+    if (!(0 < (*speeds)[std::size_t(j % 4)])) return j;
+    if (!go_on(*speeds, factor, j) && j > largest_tie) return {};
   }
   return {};
 }
@@ -216,9 +212,9 @@ std::optional<std::int64_t> Trio::count() const {
   if (exact_ && 0 < exact_->q_e) {
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
     if (is_at_rest() && exact_->q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
-    // A tie of pi/h_e with a whole number is decided collision by collision.
-    const auto few = first_collisions(largest_tie);
-    if (few && few->collisions <= largest_tie) return few->collisions;
+    // A tie of pi/h_e with a whole number is decided collision by collision, of long numbers last.
+    if (exact_->q_e.bits() < 128)
+      if (const auto N = exact_count(largest_tie)) return N;
   }
   const auto computed = [&]() -> cl_RA {
     const Shape s = shape();
@@ -239,7 +235,7 @@ std::optional<std::int64_t> Trio::count() const {
     if (N >= most) too_many();
     return cln::cl_I_to_long(cln::numerator(N));
   } catch (const Undecided&) {
-    if (const auto N = exact_count()) return N;
+    if (const auto N = exact_count(INT64_MAX)) return N;
     throw;
   }
 }
@@ -249,44 +245,49 @@ Trio::FromB Trio::start() const {
   return {V, ball_of(from_.W_per_V) * V, ball_of(from_.d_A), ball_of(from_.d_B)};
 }
 Ball Trio::place_of(const Ball& time, const Ball& place) const {
-  return from_.sign * (ball_of(from_.drift) * time + ball_of(from_.place)) + place;
+  return ball_of(from_.drift) * time + ball_of(from_.place) + place;
 }
-Ball Trio::velocity_of(const Ball& u) const { return from_.sign * ball_of(from_.drift) + u; }
-Trio::Velocities Trio::seen(const Shape& s, std::int64_t j) const {
+Ball Trio::velocity_of(const Ball& u) const { return ball_of(from_.drift) + u; }
+Trio::Velocities Trio::seen(const Shape& s, std::int64_t collisions) const {
   const auto [V, W, d_A, d_B] = start();
-  Velocities all = places_seen(s, swing_of(s, j), {V, W, 0, 0}, 1);  // any_start.linear
+  if (collisions == 0) return {V + W, W, 0};
   const auto& N = at_threshold_;
-  if (N && *N % 2 == 0 && is_at_rest()) {  // magic.velocities
-    if (j >= *N - 2) all[0] = 0;
-    if (j == *N - 1) all = {0, 0, V};
-  }
-  return all;
+  const bool is_magic = N && *N % 2 == 0 && is_at_rest();  // magic.velocities
+  if (is_magic && collisions == *N) return {0, 0, V};
+  Velocities all = places_seen(s, swing_of(s, collisions - 1), {V, W, 0, 0}, 1);
+  if (is_magic && collisions == *N - 1) all[0] = 0;
+  return all;  // any_start.linear
 }
 std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) const {
-  const auto [V, W, d_A, d_B] = start();
-  Velocities u{V + W, W, 0};
-  if (collisions > 0) u = seen(s, collisions - 1);
+  const Velocities u = seen(s, collisions);
   std::vector<Ball> all;
   for (std::size_t i = 0; i < bodies(); ++i) all.push_back(velocity_of(u[i]));
   return all;
 }
-std::optional<Quadratic> Trio::exact_time(std::int64_t j) const {
+std::optional<Quadratic> Trio::exact_time(std::int64_t j, bool is_hard) const try {
   const auto met = quotient(from_.d_A, from_.V), later = quotient(from_.d_B, from_.V);
   if (j == 0 || is_at_once_) return met;
+  if (!met || !later) return {};
   // L/V sin(jh)/sin((j+1)h) later, (2j+1)h = pi
-  if (met && later && is_at_rest() && at_threshold_ == 2 * j) return *met + *later;
+  if (is_at_rest() && at_threshold_ == 2 * j) return *met + *later;
+  const auto speeds = first_speeds(1, from_.W_per_V), gaps = first_speeds(*met, *later);
+  if (!is_hard || !speeds || !gaps) return {};
+  const Quadratic factor = factor_of(*speeds);
+  const auto gap = speed(*gaps, factor, j), nearing = speed(*speeds, factor, j);
+  return gap && nearing ? std::optional(*gap / *nearing) : std::nullopt;  // any_start.instant
+} catch (const std::domain_error&) {
   return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
   const FromB from = start();
   const auto& [V, W, d_A, d_B] = from;
   const Swing c = swing_of(s, j);
-  const auto exact = exact_time(j);
+  const auto exact = exact_time(j, false);
   const Ball time = exact ? ball_of(*exact) : j == 0 ? d_A / V : Ball(time_of(s, c, from).moment);
   const std::size_t right = j % 2 == 0 ? 1 : 2;
   Ball place = j == 0 ? W * time - d_B : places_seen(s, c, from, time)[1];
   if (right == bodies()) place = 0;
-  const Velocities u = seen(s, j);
+  const Velocities u = seen(s, j + 1);
   return {
       j + 1, right, time, place_of(time, place), velocity_of(u[right - 1]), velocity_of(u[right])};
 }
@@ -313,11 +314,6 @@ Trio::Collision Trio::collapse(const Shape& s) const {
   const auto end = end_of(s, start());
   const Ball time = end.t_any, v = velocity_of(end.v_any);
   return {0, 0, time, place_of(time, end.x_any), v, v};
-}
-std::vector<Ball> Trio::masses(const Shape& s) const {
-  std::vector<Ball> all{ball_of(from_.masses[0]), s.C};
-  if (bodies() == 3) all.push_back(ball_of(from_.masses[2]));
-  return all;
 }
 
 }  // namespace magicmass::scenes

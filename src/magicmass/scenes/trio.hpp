@@ -22,14 +22,13 @@ public:
     Quadratic W_per_V = 0;                           ///< and the ball approaches B
     Value d_A = value_of(0), d_B = value_of(1);      ///< how wide the gaps are
     Value place = value_of(1), drift = value_of(0);  ///< of B or the wall, and its velocity
-    int sign = 1;                                    ///< of these two, as in a mirror
   };
   /// Nothing, and no reason, where A does not meet the ball first. Of three that meet at once the
   /// faster comes first.
   static Found<Trio> of(const Start& start);
   /// Nothing for other bodies, too, and where differences of places or ratios of velocities are not
   /// known to be values.
-  static Found<Trio> of(const Scene& scene, bool is_mirrored = false);
+  static Found<Trio> of(const Scene& scene);
   /// Blocks of mass 1, a ball of mass alpha.
   static Trio equal_blocks(const Value& alpha, const Value& e);
 
@@ -61,8 +60,8 @@ public:
   Collision collision(const Shape& s, std::int64_t j) const;
   /// Whether collisions go on for ever, and time with them.
   bool is_endless() const { return end_sign_ == 0; }
-  /// When it takes place, where that is known exactly.
-  std::optional<Quadratic> exact_time(std::int64_t j) const;
+  /// When it takes place, where that is known exactly; `is_hard`: after as many steps as it takes.
+  std::optional<Quadratic> exact_time(std::int64_t j, bool is_hard) const;
   std::size_t bodies() const { return from_.masses.size(); }
   /// Velocities of all bodies after so many collisions.
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
@@ -75,13 +74,14 @@ public:
   Collision collapse(const Shape& s) const;
   /// Whether they have come to it by this time.
   bool has_collapsed(const Value& time) const;
-  std::vector<Ball> masses(const Shape& s) const;
+
+  using Speeds = std::array<Quadratic, 5>;
+  static constexpr std::size_t longest_tie = 1U << 15U;  ///< in bits
 
 private:
   /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
   /// for larger m.
   static constexpr std::int64_t largest_tie = 12;
-  static constexpr std::size_t longest_tie = 1U << 15U;  ///< in bits
   Start from_;
   bool is_at_once_ = false;  ///< all collisions take place with the first
   int end_sign_ = 1;         ///< where q_e is 0 or less
@@ -92,22 +92,22 @@ private:
   std::optional<Exact> exact_;
   std::optional<std::int64_t> at_threshold_;
 
-  /// Exactly, in units of V, at most one more than `most` of them. Nothing likewise.
-  std::optional<simulator::InTurn<Quadratic>> first_collisions(std::int64_t most) const;
-  /// The first approach speeds, in units of V, over e for each two. Nothing likewise.
-  std::optional<std::array<Quadratic, 5>> first_speeds(const Quadratic& W_per_V) const;
+  /// The first approach speeds, over e for each two. Nothing likewise.
+  std::optional<Speeds> first_speeds(const Quadratic& V, const Quadratic& W) const;
+  /// The one before collision j, that goes with these; nothing where it is too long.
+  std::optional<Quadratic> speed(Speeds first, const Quadratic& factor, std::int64_t j) const;
   /// The sign of bodies.end_speed for any V and W, where q_e is 0 or less. Nothing likewise.
   std::optional<int> end_sign(const Quadratic& V, const Quadratic& W) const;
-  /// Nothing, too, where numbers become too long.
-  std::optional<std::int64_t> exact_count() const;
+  /// At most so many; nothing, too, for more, and where numbers become too long.
+  std::optional<std::int64_t> exact_count(std::int64_t most) const;
   using Velocities = std::array<Ball, 3>;
   FromB start() const;
-  /// Velocities after collision j, of A, C and B, as seen from B before it is met.
-  Velocities seen(const Shape& s, std::int64_t j) const;
+  /// Velocities after so many collisions, of A, C and B, as seen from B before it is met.
+  Velocities seen(const Shape& s, std::int64_t collisions) const;
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const;
   std::optional<Exact> exact_bodies() const;
-  /// What is in a quadratic field is stepped: by Niven's theorem it is no large alpha_k.
+  /// By Niven's theorem only the first two are in a quadratic field.
   std::optional<std::int64_t> count_at_threshold() const;
 };
 
@@ -130,8 +130,8 @@ public:
 
   /// With the bits that are set now, as all that follows.
   Trio::Collision collision(std::int64_t j) const;
-  /// When it takes place, where that is known to be in the field of V and places.
-  std::optional<Quadratic> exact_time(std::int64_t j) const;
+  /// When it takes place, where that is known to be in the field of V and places; as of a Trio.
+  std::optional<Quadratic> exact_time(std::int64_t j, bool is_hard) const;
   std::size_t bodies() const { return is_cradle_ ? 2 * pairs_.size() + 1 : alone()->bodies(); }
   /// How many collisions come before those of a trio.
   std::int64_t thrown() const { return thrown_ ? 1 : 0; }
@@ -140,7 +140,6 @@ public:
   std::vector<Ball> velocities(std::int64_t collisions) const;
   /// Where all bodies are at a time, after so many collisions.
   std::vector<Ball> places(const Ball& time, std::int64_t collisions) const;
-  std::vector<Ball> masses() const;
   /// Where and when infinitely many collisions of a trio come to an end.
   Trio::Collision collapse() const { return seen(alone()->collapse(alone()->shape())); }
   /// Of so many collisions, those at each gap.
@@ -167,10 +166,12 @@ private:
   mutable std::map<std::pair<int, std::int64_t>, Trio::Shape> shapes_;
 
   /// Likewise, but not in a mirror.
-  static Found<Trios> of(const std::vector<Value>& masses, const simulator::Line<Quadratic>& line);
+  static Found<Trios> as_it_is(const Scene& scene);
+  static Found<Trios> cradle(const std::vector<Value>& masses,
+                             const simulator::Line<Quadratic>& line);
   static Found<Trios> off_wall(const std::vector<Value>& masses,
                                const simulator::Line<Quadratic>& line);
-  void be_alone(const Trio& trio);
+  static Trios of_one(const Trio& trio);
   const Trio::Shape& shape_of(const Pair& pair) const;
   /// After so many collisions all comes again, only later.
   std::int64_t period() const { return 2 * way_ + 2; }

@@ -18,46 +18,44 @@ bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
 
 }  // namespace
 
-void Trios::be_alone(const Trio& trio) {
-  is_cradle_ = false;
-  way_ = INT64_MAX / 2 - 1;
-  pairs_ = {{trio, way_ / 2, 0, 0}};
+Trios Trios::of_one(const Trio& trio) {
+  Trios all;
+  all.is_cradle_ = false;
+  all.way_ = INT64_MAX / 2 - 1;
+  all.pairs_ = {{trio, all.way_ / 2, 0, 0}};
+  return all;
 }
 
 Found<Trios> Trios::of(const Scene& scene) {
-  std::string why;
-  for (const bool is_mirrored : {false, true}) {
-    const auto trio = Trio::of(scene, is_mirrored);
-    if (why.empty()) why = trio.why;
-    if (!trio) continue;
-    Trios all;
-    all.is_mirrored_ = is_mirrored;
-    all.be_alone(*trio);
-    return all;
-  }
-  if (!why.empty()) return why;
+  auto one = as_it_is(scene);
+  if (one) return one;
+  auto image = as_it_is(mirrored(scene));
+  if (image) image->is_mirrored_ = true;
+  const auto rank = [](const std::string& why) {
+    return std::pair(why == ends ? 0 : why == none_comes ? 1 : 2, why);
+  };
+  return image || rank(one.why) < rank(image.why) ? image : one;
+}
+
+Found<Trios> Trios::as_it_is(const Scene& scene) {
+  const auto trio = Trio::of(scene);
+  if (trio) return of_one(*trio);
+  if (!trio.why.empty()) return trio.why;
   if (scene.masses.size() == 3 && !scene.left_wall && !scene.right_wall) return none_comes;
   Scene exact = scene;  // but for the masses
   exact.masses.assign(scene.masses.size(), value_of(1));
   exact.times.clear();
   exact.until.reset();
   if (!has_exact_numbers(exact)) return "its numbers are of more than one field";
-  auto line = line_of<Quadratic>(exact);
-  auto cradle = of(scene.masses, line);
-  if (cradle) return cradle;
-  exact.masses = scene.masses;
-  std::ranges::reverse(exact.masses);
-  auto mirrored = of(exact.masses, simulator::mirrored(std::move(line)));
-  if (mirrored) mirrored->is_mirrored_ = true;
-  const auto rank = [](const Found<Trios>& r) { return std::pair(r.why != ends, r.why); };
-  return mirrored || rank(cradle) < rank(mirrored) ? mirrored : cradle;
+  const auto line = line_of<Quadratic>(exact);
+  return scene.masses.size() == 2 ? off_wall(scene.masses, line) : cradle(scene.masses, line);
 }
 
-Found<Trios> Trios::of(const std::vector<Value>& masses, const simulator::Line<Quadratic>& line) {
+Found<Trios> Trios::cradle(const std::vector<Value>& masses,
+                           const simulator::Line<Quadratic>& line) {
   Trios all;
   const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
-  if (bodies == 2) return off_wall(masses, line);
   const auto moves = [](const Quadratic& u) { return !(u == 0); };
   if (bodies < 3 || bodies % 2 == 0 || std::any_of(v.begin() + 1, v.end(), moves)) return ends;
   all.x_ = x[0];
@@ -105,8 +103,7 @@ Found<Trios> Trios::off_wall(const std::vector<Value>& masses,
                               .d_B{"", none - e * d_B},
                               .place{"", wall}});
   if (!trio) return trio.why.empty() ? none_comes : trio.why;
-  Trios all;
-  all.be_alone(*trio);
+  Trios all = of_one(*trio);
   all.thrown_ = line;
   return all;
 }
@@ -148,11 +145,11 @@ Trios::Moment Trios::moment(std::int64_t j) const {
   m.number -= m.pair->before;
   return m;
 }
-std::optional<Quadratic> Trios::exact_time(std::int64_t j) const {
+std::optional<Quadratic> Trios::exact_time(std::int64_t j, bool is_hard) const {
   if (j < thrown()) return (*thrown_->right_wall - thrown_->positions[1]) / thrown_->velocities[1];
   const Moment m = moment(j);
   const auto on_first_way =
-      m.pair ? m.pair->trio.exact_time(m.number) : time_at(m.is_back ? *behind_ : *ahead_);
+      m.pair ? m.pair->trio.exact_time(m.number, is_hard) : time_at(m.is_back ? *behind_ : *ahead_);
   if (!on_first_way) return {};
   return m.is_back ? m.from - *on_first_way : m.from + *on_first_way;
 }
@@ -169,7 +166,7 @@ Trio::Collision Trios::seen(const Trio::Collision& c) const {
 Trio::Collision Trios::collision(std::int64_t j) const {
   if (j < thrown()) {
     const Ball wall = ball_of(*thrown_->right_wall), W = ball_of(thrown_->velocities[1]);
-    return seen(Trio::Collision{1, 2, ball_of(*exact_time(j)), wall,
+    return seen(Trio::Collision{1, 2, ball_of(*exact_time(j, false)), wall,
                                 -ball_of(thrown_->restitution) * W, 0});
   }
   const Moment m = moment(j);
@@ -228,13 +225,6 @@ std::vector<Ball> Trios::places(const Ball& time, std::int64_t collisions) const
     std::copy(x.begin() + waiting, x.end(), all.begin() + pair.first + waiting);
   }
   return seen(std::move(all));
-}
-std::vector<Ball> Trios::masses() const {
-  std::vector<Ball> all(bodies());
-  for (const Pair& pair : pairs_)
-    std::ranges::copy(pair.trio.masses(shape_of(pair)), all.begin() + pair.first);
-  if (is_mirrored_) std::ranges::reverse(all);
-  return all;
 }
 std::vector<std::int64_t> Trios::counts(std::int64_t collisions) const {
   const std::int64_t at_wall = std::min(collisions, thrown());

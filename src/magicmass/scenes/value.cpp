@@ -62,48 +62,59 @@ bool is_float(std::string_view text) {
   return text.find_first_of(".eExX") != text.npos && text.find_first_of("()/*^") == text.npos;
 }
 
+std::string ratio_of(const Value& x) { return x.ratio ? notation::text(*x.ratio) : ""; }
+
 }  // namespace
 
 double Value::to_double() const {
-  if (const auto* at = ratio()) {
-    const auto both = accurate::ratios(cln::cl_I_to_long(at->k));
-    return (is_negative ? -1 : 1) * (at->is_magic ? both.magic : both.deficient);
+  if (ratio && number == 0) {
+    const auto both = accurate::ratios(cln::cl_I_to_long(ratio->k));
+    return sign * (ratio->is_magic ? both.magic : both.deficient);
   }
-  if (const auto value = exact()->to_double()) return *value;
+  const auto nearest = [this] {
+    const Ball x = ball_of(*this);
+    return nearest_double(x.low(), x.high());
+  };
+  if (ratio) return with_bits(17, nearest);
+  if (const auto value = number.to_double()) return *value;
   throw Undecided((text.empty() ? "a place" : text.substr(0, 60)) +
                   " does not fit a normal double");
 }
 
 Ball ball_of(const Value& value) {
-  const auto* const ratio = value.ratio();
-  if (!ratio) return ball_of(*value.exact());
-  const std::int64_t k = cln::cl_I_to_long(ratio->k);
+  if (!value.ratio) return ball_of(value.number);
+  const auto& [is_magic, number] = *value.ratio;
+  const std::int64_t k = cln::cl_I_to_long(number);
   if (k > std::int64_t(1) << 50U) throw Undecided(value.text + " is answered here up to k = 2^50");
-  const Ball size = ratio->is_magic ? generated::magic_closed<Ball>(k).alpha_
-                                    : generated::deficient_closed<Ball>(k).beta_;
-  return value.is_negative ? -size : size;
+  return ball_of(value.number) + value.sign * (is_magic
+                                                   ? generated::magic_closed<Ball>(k).alpha_
+                                                   : generated::deficient_closed<Ball>(k).beta_);
 }
 
-Value negative(const Value& x) {
-  const std::string text = x.text.starts_with("-") ? x.text.substr(1) : "-" + x.text;
-  if (x.exact()) return {"", Quadratic(0) - *x.exact()};
-  return {text, x.number, !x.is_negative};
+/// No ratio that is kept as one is a root of a quadratic equation.
+bool Value::is_positive() const {
+  if (exact()) return Quadratic(0) < number;
+  return with_bits(17, [this] { return ball_of(*this) > 0; });
 }
+
+Value negative(const Value& x) { return {"", Quadratic(0) - x.number, x.ratio, -x.sign}; }
 
 std::optional<Value> difference(const Value& x, const Value& y) try {
-  if (x.exact() && y.exact()) return Value{"", *x.exact() - *y.exact()};
-  if (y.is(0)) return x;
-  if (x.is(0)) return negative(y);
-  return x.text == y.text ? std::optional(value_of(0)) : std::nullopt;
+  const Quadratic rest = x.number - y.number;
+  if (!y.ratio) return Value{"", rest, x.ratio, x.sign};
+  if (!x.ratio) return Value{"", rest, y.ratio, -y.sign};
+  if (ratio_of(x) != ratio_of(y) || x.sign != y.sign) return {};
+  return Value{"", rest};
 } catch (const std::domain_error&) {
   return {};
 }
 
 std::optional<Quadratic> quotient(const Value& x, const Value& y) try {
   if (x.is(0)) return Quadratic(0);
-  if (x.exact() && y.exact()) return *x.exact() / *y.exact();
-  if (x.text == negative(y).text) return Quadratic(-1);
-  return x.text == y.text ? std::optional(Quadratic(1)) : std::nullopt;
+  if (x.exact() && y.exact()) return x.number / y.number;
+  const Quadratic turn = x.sign * y.sign;
+  const bool is_it = ratio_of(x) == ratio_of(y) && x.number == turn * y.number;
+  return is_it ? std::optional(turn) : std::nullopt;
 } catch (const std::domain_error&) {
   return {};
 }
@@ -116,7 +127,7 @@ Value read_value(std::string_view text) {
       return negative(read_value(text.substr(1)));
     if (text.starts_with("magic:") || text.starts_with("deficient:")) {
       Value value = value_of(notation::read_alpha(text));
-      if (value.ratio() && value.ratio()->k > cln::ash(1, 50))
+      if (value.ratio && value.ratio->k > cln::ash(1, 50))
         refuse("k above 2^50, for which there are counts alone: magicmass count");
       return value;
     }
@@ -138,7 +149,7 @@ Value value_of(const notation::Alpha& ratio) {
   const std::string text = notation::text(ratio);
   for (const auto& [name, value] : quadratic_ratios)
     if (text == name) return {text, evaluate(notation::read(value))};
-  if (const auto* at = std::get_if<notation::Threshold>(&ratio)) return {text, *at};
+  if (const auto* at = std::get_if<notation::Threshold>(&ratio)) return {text, 0, *at};
   const auto* rational = std::get_if<cln::cl_RA>(&ratio);
   return {text, rational != nullptr ? Quadratic(*rational) : Quadratic(std::get<double>(ratio))};
 }

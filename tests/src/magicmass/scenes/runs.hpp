@@ -26,17 +26,6 @@ inline std::string list(const std::vector<std::string>& values) {
   for (const std::string& value : values) all += value + ", ";
   return "[" + all + "]\n";
 }
-/// What a mirror shows of it.
-inline Scene mirrored(Scene scene) {
-  const auto turn = [](Value& x) { x = x.ratio() ? negative(x) : read_value("-(" + x.text + ")"); };
-  for (auto* values : {&scene.masses, &scene.positions, &scene.velocities})
-    std::ranges::reverse(*values);
-  for (auto* values : {&scene.positions, &scene.velocities}) std::ranges::for_each(*values, turn);
-  std::swap(scene.left_wall, scene.right_wall);
-  for (auto* wall : {&scene.left_wall, &scene.right_wall})
-    if (*wall) turn(**wall);
-  return scene;
-}
 inline void check_mirrored(const Result& result, const Result& mirrored) {
   REQUIRE(mirrored.status == result.status);
   REQUIRE(mirrored.events == result.events);

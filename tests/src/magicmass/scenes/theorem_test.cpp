@@ -130,6 +130,17 @@ void check_told(const std::vector<Numbers>& told, const std::vector<Step>& rows)
     REQUIRE((told[j] == numbers(rows[j]) && (j < 3 || told[j - 1][1] < told[j][1])));
   if (told.size() < rows.size()) REQUIRE(number(rows[told.size()].time) == told.back()[1]);
 }
+/// A collision at the time `until` belongs to the run.
+void check_until(Scene scene, const std::vector<Step>& rows) {
+  const cl_RA last = rows.at(engine() % rows.size()).time;
+  if (rows.front().time == rows.back().time) return;
+  scene.until = Value{"", Quadratic(last)};
+  const Result result = run(scene);
+  REQUIRE(result.plan.model == "theorem");
+  const auto is_by = [&](const Step& row) { return row.time <= last; };
+  REQUIRE(result.events == std::ranges::count_if(rows, is_by));
+  check_mirrored(result, run(mirrored(scene)));
+}
 struct Seen {
   int few = 0, many = 0, collapsed = 0, narrow = 0, fled = 0;
 };
@@ -148,6 +159,7 @@ void check(Line line, bool is_long, Seen& seen) {
   const Trios trio = *Trios::of(scene);
   const auto count = trio.count();
   compare(trio, rows, line);
+  if (is_long && !rows.empty()) check_until(scene, rows);
   if (is_collapse) {
     ++seen.collapsed;
     REQUIRE((!count && rows.size() == most));
