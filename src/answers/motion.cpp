@@ -13,12 +13,6 @@ using cln::cl_I;
 using cln::cl_RA;
 using namespace notation;
 
-/// At alpha_k after k cycles; alpha_1 = 1.
-bool takes_everything(const Alpha& alpha, const cl_I& n) {
-  if (const auto* at = std::get_if<Threshold>(&alpha)) return at->is_magic && at->k == n;
-  return n == 1 && fraction_of(alpha) == cl_RA(1);
-}
-
 /// The right side of a theorem's equation.
 Ball evaluated(const std::string& id, const std::map<kernel::Expr, Ball>& values) {
   return equality::enclosure(written_out(right_side(id)), values);
@@ -75,8 +69,10 @@ Balls velocities(const Alpha& alpha, const cl_I& n) {
   Balls all;
   for (const char* id : {"power.a", "power.b", "power.c", "power.c_prime"})
     all.push_back(right_side_at(id, at, n));
-  if (n == 0) return {all[0], 0, 0, 0};  // cycle.start_vector, cycle.c_start
-  if (takes_everything(alpha, n)) return {0, all[1], all[2], 0};  // magic.velocities
+  if (n == 0) return {all[0], 0, 0, 0};                // cycle.start_vector, cycle.c_start
+  const auto* ratio = std::get_if<Threshold>(&alpha);  // alpha_1 = 1 is a number
+  if (ratio ? ratio->is_magic && ratio->k == n : n == 1 && fraction_of(alpha) == cl_RA(1))
+    return {0, all[1], all[2], 0};  // magic.velocities
   return all;
 }
 Balls terminal(const Alpha& alpha, const LargeCounts& counts) {

@@ -40,7 +40,7 @@ Program magicmass() {
       {.name = "verify",
        .summary = "Proves every line of the derivation again",
        .example = "magicmass verify",
-       .options = {{"with", "CHECKER", "coq: coqc checks each step, too (minutes)", {"coq"}}},
+       .options = {{"with", "CHECKER", "coq: coqc checks each step, too, in 4096 MIB", {"coq"}}},
        .run = verify,
        .limits_of = {{"with", {3600, 4096}}}},
       {.name = "eval",

@@ -24,18 +24,16 @@ std::vector<Option> options_of(const Command& command) {
         {"input", "FILE", "CSV of " + joined(columns) + ", others skipped; - is stdin"});
   options.push_back({"format", "FORMAT", joined(command.formats), command.formats});
   options.push_back({"output", "FILE", "write to FILE, whole or not at all; - is stdout"});
-  std::string seconds, mebibytes;
-  for (const auto& [word, limits] : command.limits_of) {
-    const bool has_end = limits.seconds != no_limit;
-    seconds += "\n" + word + ": " + (has_end ? std::to_string(limits.seconds) : "none");
-    mebibytes += "\n" + word + ": " + std::to_string(limits.mebibytes);
-  }
+  std::string others;
+  for (const auto& [word, limits] : command.limits_of)
+    others +=
+        "\n" + word + ": " + (limits.seconds == no_limit ? "none" : std::to_string(limits.seconds));
   options.push_back({"time-limit", "SECONDS",
                      "give up after so long, " + std::to_string(command.limits.seconds) +
-                         " unless told otherwise" + seconds});
+                         " unless told otherwise" + others});
   options.push_back({"memory-limit", "MIB",
                      "at most so much memory, " + std::to_string(command.limits.mebibytes) +
-                         " unless told otherwise" + mebibytes});
+                         " unless told otherwise"});
   return options;
 }
 

@@ -56,7 +56,6 @@ public:
       if (GiNaC::is_a<GiNaC::symbol>(square)) e = e.subs(square == GiNaC::pow(root, 2));
     return e;
   }
-  Polynomial to_polynomial(const ex& e) const { return polynomial(to_kernel(e)); }
 
 private:
   std::vector<std::pair<GiNaC::symbol, Expr>> atoms;
@@ -102,7 +101,7 @@ Factored factored(const ex& e, const Translation& translation) {
     const ex factor = count > 1 ? product.op(i) : product;
     const bool is_power = GiNaC::is_a<GiNaC::power>(factor);
     const int exponent = is_power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
-    Polynomial p = translation.to_polynomial(is_power ? factor.op(0) : factor);
+    Polynomial p = polynomial(translation.to_kernel(is_power ? factor.op(0) : factor));
     if (p.empty()) return {0, {}};
     cln::cl_RA content = 0;
     for (const auto& [monomial, q] : p)
@@ -135,7 +134,8 @@ public:
     if (number == 0) return 0;
     Exprs factors;
     for (const auto& [p, k] : over.factors) {
-      const cln::cl_RA sign = leads_with_minus(p) ? -1 : 1;
+      const bool has_minus = coefficients_in(p).begin()->second.begin()->second < 0;
+      const cln::cl_RA sign = has_minus ? -1 : 1;
       number = number * cln::expt(sign, k);
       factors.push_back(power(collected(scaled(p, sign)), k));
     }
@@ -160,9 +160,6 @@ private:
       coefficients[key] = coefficients[key] + Polynomial{{rest, q}};
     }
     return coefficients;
-  }
-  bool leads_with_minus(const Polynomial& p) const {
-    return coefficients_in(p).begin()->second.begin()->second < 0;
   }
   Expr collected(const Polynomial& p) const {
     const auto coefficients = coefficients_in(p);

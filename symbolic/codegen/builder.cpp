@@ -13,13 +13,6 @@ constexpr double largest_whole = 0x1p51;  // `nearest` of the runtime
 const std::map<Op, Interval (*)(Interval)> functions{
     {Op::size, magnitude}, {Op::root, root},     {Op::reciprocal_root, reciprocal_root},
     {Op::sine, sine},      {Op::cosine, cosine}, {Op::arc_tangent, arc_tangent}};
-
-/// Up to there, and down to its inverse, nothing over- or underflows: of pairs, no products, splits
-/// and errors of products.
-double largest_size(Numbers numbers) {
-  if (numbers == Numbers::doubles) return 0x1p900;
-  return numbers == Numbers::plain ? 0x1p1000 : infinity;
-}
 }  // namespace
 
 int Builder::add(Node n) {
@@ -38,7 +31,11 @@ int Builder::add(Node n) {
     n.least = n.range.least();
   else if (n.op == Op::product || n.op == Op::exact_product)
     n.least = program[n.of[0]].least * program[n.of[1]].least;
-  const double most = largest_size(numbers);
+  // Up to there, and down to its inverse, nothing over- or underflows: of pairs, no products,
+  // splits and errors of products.
+  const double most = numbers == Numbers::doubles ? 0x1p900
+                      : numbers == Numbers::plain ? 0x1p1000
+                                                  : infinity;
   if (!(n.range.size() <= most) || (n.least > 0 && n.least < 1 / most))
     throw Refused("a value of operation " + std::to_string(int(n.op)) + " may over- or underflow");
   program.nodes.push_back(n);

@@ -5,9 +5,6 @@
 
 namespace coq {
 namespace {
-bool is_connective(Expr f) {
-  return std::set{Op::Not, Op::And, Op::Or, Op::Imp, Op::Iff}.contains(f.op());
-}
 /// What the kernel takes the part, or its negation where it is <=, to be.
 Expr key(Expr part) {
   if (part.op() == Op::Le) return kernel::canonical(kernel::lt(part.arg(1), part.arg(0)));
@@ -15,7 +12,7 @@ Expr key(Expr part) {
 }
 struct Parts {
   void add(Expr f) {
-    if (is_connective(f)) {
+    if (std::set{Op::Not, Op::And, Op::Or, Op::Imp, Op::Iff}.contains(f.op())) {
       for (Expr a : f.args()) add(a);
       return;
     }
@@ -23,11 +20,6 @@ struct Parts {
     give_name(f);
     if (is_matrix_equation(f)) return add(by_entries(f));
     alike[key(f)].push_back(f);
-  }
-  /// A variable for the key of parts that are several; others have none.
-  void add_keys() {
-    std::erase_if(alike, [](const auto& of) { return of.second.size() == 1; });
-    for (const auto& [form, parts] : alike) give_name(form);
   }
   void give_name(Expr f) {
     if (names.emplace(f, "p'" + std::to_string(names.size())).second) order.push_back(f);
@@ -42,7 +34,9 @@ std::string Script::tautology(const Theorem& t, const Context& c) {
   Parts parts;
   for (const Theorem& p : t.step().premises) parts.add(p.conclusion());
   parts.add(t.conclusion());
-  parts.add_keys();
+  // A variable for the key of parts that are several; others have none.
+  std::erase_if(parts.alike, [](const auto& of) { return of.second.size() == 1; });
+  for (const auto& [form, alike] : parts.alike) parts.give_name(form);
   std::string variables, statement, arguments, proofs;
   const auto bridge = [&](Expr l, Expr r, const std::string& sign, const std::string& proof) {
     statement +=

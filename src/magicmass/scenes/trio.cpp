@@ -153,10 +153,10 @@ std::optional<std::int64_t> Trio::count_at_threshold() const {
   if (ratio && ratio->is_magic && from_.W_per_V == -1) return cln::cl_I_to_long(ratio->k);
   if (!is_at_rest()) return {};
   if (ratio) return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
-  static const Value second = read_value("sqrt(5)-2");
-  const Value& C = from_.masses[1];
-  const bool is_second = quotient(C, second) == Quadratic(1);
-  return C.is(1) ? std::optional(2) : is_second ? std::optional(4) : std::nullopt;
+  static const Value in_field[]{read_value("magic:1"), read_value("magic:2")};
+  for (std::int64_t k : {1, 2})
+    if (quotient(from_.masses[1], in_field[k - 1]) == Quadratic(1)) return 2 * k;
+  return {};
 }
 /// By any_start.speed each second approach speed, over e each time, is a sum of each second
 /// U_j(kappa): each follows from the two before by one factor, which the first three tell

@@ -58,10 +58,6 @@ Quadratic evaluate(Expr e) {
   }
 }
 
-bool is_float(std::string_view text) {
-  return text.find_first_of(".eExX") != text.npos && text.find_first_of("()/*^") == text.npos;
-}
-
 std::string ratio_of(const Value& x) { return x.ratio ? notation::text(*x.ratio) : ""; }
 
 }  // namespace
@@ -131,7 +127,7 @@ Value read_value(std::string_view text) {
         refuse("k above 2^50, for which there are counts alone: magicmass count");
       return value;
     }
-    if (is_float(text)) {
+    if (text.find_first_of(".eExX") != text.npos && text.find_first_of("()/*^") == text.npos) {
       const auto value = notation::read_double(text);
       if (!value) refuse("not a number");
       if (std::isinf(*value)) refuse("it does not fit a double, write it as a fraction");
