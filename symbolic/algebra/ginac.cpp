@@ -56,6 +56,19 @@ public:
       if (GiNaC::is_a<GiNaC::symbol>(square)) e = e.subs(square == GiNaC::pow(root, 2));
     return e;
   }
+  Expr to_kernel(const ex& e) const {
+    if (GiNaC::is_a<GiNaC::numeric>(e))
+      return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N());
+    if (GiNaC::is_a<GiNaC::power>(e))
+      return power(to_kernel(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
+    Exprs parts;
+    for (const ex& part : e) parts.push_back(to_kernel(part));
+    if (GiNaC::is_a<GiNaC::add>(e)) return sum(parts);
+    if (GiNaC::is_a<GiNaC::mul>(e)) return product(parts);
+    for (const auto& [symbol, atom] : atoms)
+      if (e.is_equal(symbol)) return atom;
+    refuse("GiNaC gave something that is no polynomial");
+  }
 
 private:
   std::vector<std::pair<GiNaC::symbol, Expr>> atoms;
@@ -72,19 +85,6 @@ private:
       out = sum.expand();
     }
     return out;
-  }
-  Expr to_kernel(const ex& e) const {
-    if (GiNaC::is_a<GiNaC::numeric>(e))
-      return cln::the<cln::cl_RA>(GiNaC::ex_to<GiNaC::numeric>(e).to_cl_N());
-    if (GiNaC::is_a<GiNaC::power>(e))
-      return power(to_kernel(e.op(0)), GiNaC::ex_to<GiNaC::numeric>(e.op(1)).to_int());
-    Exprs parts;
-    for (const ex& part : e) parts.push_back(to_kernel(part));
-    if (GiNaC::is_a<GiNaC::add>(e)) return sum(parts);
-    if (GiNaC::is_a<GiNaC::mul>(e)) return product(parts);
-    for (const auto& [symbol, atom] : atoms)
-      if (e.is_equal(symbol)) return atom;
-    refuse("GiNaC gave something that is no polynomial");
   }
 };
 
