@@ -145,7 +145,7 @@ private:
   void inputs_and_outputs() {
     const std::string Q = capital(q.name);
     Words set, values;
-    std::string loads, in_case, stores;
+    std::string loads, in_case;
     for (const Input& i : q.inputs) {
       const std::string x = i.name();
       const Interval r = range_of(i, c, false);
@@ -159,9 +159,7 @@ private:
     for (const Result& r : p.results) {
       const bool is_whole = r.kind == Result::whole;
       if (!is_whole && r.kind != Result::real) continue;
-      const std::string whole = "to_whole(" + as_plain(p, r.node) + ")";
-      values.push_back(is_whole ? "N::" + whole : r.name);
-      stores += "    store(columns." + r.name + " + row, " + (is_whole ? whole : r.name) + ");\n";
+      values.push_back(is_whole ? "N::to_whole(" + as_plain(p, r.node) + ")" : r.name);
     }
     line(inlined + "explicit " + name + "(const " + Q + "Inputs& in) : " + joined(set, ", ") +
          " {}");
@@ -172,8 +170,7 @@ private:
                      "std::size_t row) {\n" + loads + "  }\n" + inlined +
                      "SimdMask is_in_case([[maybe_unused]] " + columns +
                      "[[maybe_unused]] std::size_t row) const {\n    return " + in_case.substr(3) +
-                     ";\n  }\n" + inlined + "void store_outputs(" + columns +
-                     "std::size_t row) const {\n" + stores + "  }\n";
+                     ";\n  }\n";
   }
   void stage_function(int stage, const std::set<int>& kept) {
     line(inlined + "void stage_" + std::to_string(stage) + "() {");
@@ -185,12 +182,13 @@ private:
       const bool is_function = n.op == Op::sine || n.op == Op::cosine;
       if (is_function && paired.insert(n.of[0]).second) line("    " + sine_and_cosine(p, n));
       const std::string type = kept.count(k) > 0 ? "" : n.is_exact ? "const T " : "const N ";
-      const std::string maybe = type == "const N " && n.op == Op::scale ? "[[maybe_unused]] " : "";
       result.header +=
-          commented("    " + maybe + type + n.name + " = " + right_side(p, n) + ";", purpose(p, k));
+          commented("    " + type + n.name + " = " + right_side(p, n) + ";", purpose(p, k));
     }
     if (stage == 3) tests();
-    line("  }");
+    const bool is_empty = result.header.ends_with("{\n");
+    if (is_empty) result.header.pop_back();
+    line(is_empty ? "}" : "  }");
   }
   void tests() {
     for (std::size_t i = 0; i < p.results.size(); ++i) {
@@ -259,7 +257,7 @@ std::string structures(const Quantity& q) {
     in.push_back({i.name(), i.is_whole()});
     values.push_back(i.name() + "[row]");
   }
-  for (const Output& o : out) set += "    " + o.name + "[row] = out." + o.name + ";\n";
+  for (const Output& o : out) set += "    store(" + o.name + " + row, out." + o.name + ");\n";
   const std::string values_of =
       structure(Q + "Inputs", members(in, "", "")) + structure(Q + "Outputs", members(out, "", ""));
   if (!q.has_arrays) return values_of;
@@ -268,8 +266,9 @@ std::string structures(const Quantity& q) {
   columns.insert(columns.end(), pointers.begin(), pointers.end());
   columns.push_back(inlined + Q + "Inputs get(std::size_t row) const { return {" +
                     joined(values, ", ") + "}; }");
-  columns.push_back(inlined + "void set(std::size_t row, const " + Q + "Outputs& out) const {\n" +
-                    set + "  }");
+  columns.push_back(
+      "  /// Of a case's outputs, or of the main case: as many rows as a register has lanes.\n" +
+      inlined + "void set(std::size_t row, const auto& out) const {\n" + set + "  }");
   return values_of + structure(Q + "Columns", columns);
 }
 }  // namespace
@@ -285,27 +284,18 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
     visits += "    if (" + condition(q, c) + ")\n      return f.template operator()<" + Q +
               capital(c.name) + ">();\n";
   }
-  const std::string of_arrays =
-      !q.has_arrays ? ""
-                    : "  using Columns = " + Q +
-                          "Columns;\n  template <class Tier, class N>\n  using Main = " + Q +
-                          capital(q.cases[0].name) + "<Tier, N>;\n";
+  const std::string of_arrays = q.has_arrays ? ", " + Q + "Columns" : "";
+  const std::string main = q.has_arrays ? "  template <class Tier, class N>\n  using Main = " + Q +
+                                              capital(q.cases[0].name) + "<Tier, N>;\n"
+                                        : "";
   e.header = broken(
       opening("// " + q.name + " in DoubleDouble, from " + q.labels +
                   ". Bounds: errors.txt beside this file.\n// Only for rows whose inputs are in "
                   "a case and whose doubt is 0; all others are left to the caller.",
-              {"<cstddef>", "<cstdint>", "", "\"magicmass/arithmetic/functions.hpp\"",
-               "\"magicmass/arithmetic/rounding_test.hpp\"",
-               "\"magicmass/evaluators/polynomials.hpp\""}) +
-      "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n"
-      "using arithmetic::rounded_by, arithmetic::size_of;\n" +
-      (q.has_arrays ? "using arithmetic::load, arithmetic::Simd, arithmetic::SimdMask, "
-                      "arithmetic::store, arithmetic::to_real, arithmetic::to_whole;\n"
-                    : "") +
-      structures(q) + e.header + "struct " + Q + " {\n  using Inputs = " + Q +
-      "Inputs;\n  using Outputs = " + Q + "Outputs;\n" + of_arrays +
-      "  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, "
-      "underflow.\n"
+              {"\"magicmass/evaluators/polynomials.hpp\""}) +
+      "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q) + e.header +
+      "struct " + Q + " : Evaluator<" + Q + "Inputs, " + Q + "Outputs" + of_arrays + "> {\n" +
+      main +
       "  template <bool is_wide, class F>\n"
       "  [[gnu::always_inline]] static double visit(const Inputs& in, F f) {\n" +
       visits +

@@ -5,15 +5,9 @@
 // clang-format off
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include "magicmass/arithmetic/functions.hpp"
-#include "magicmass/arithmetic/rounding_test.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using arithmetic::rounded_by, arithmetic::size_of;
 struct AngleInputs {
   double alpha;
 };
@@ -55,10 +49,7 @@ struct AngleGeneral {
     doubt = doubt + doubt_of_range(z, 0x0p+0, (N::is_wide ? 0x1p+1 : 0x1.5555555555556p-2));
   }
 };
-struct Angle {
-  using Inputs = AngleInputs;
-  using Outputs = AngleOutputs;
-  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
+struct Angle : Evaluator<AngleInputs, AngleOutputs> {
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <= (is_wide ?

@@ -5,15 +5,9 @@
 // clang-format off
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include "magicmass/arithmetic/functions.hpp"
-#include "magicmass/arithmetic/rounding_test.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using arithmetic::rounded_by, arithmetic::size_of;
 struct CollisionInputs {
   double alpha;
   std::int64_t j;
@@ -104,17 +98,13 @@ struct CollisionFirst {
     t1 = N::two_sum(N::all(0x1p+0), alpha);  // for when, apart
     of_when = scaled(t1, 0x1p-1);
   }
-  [[gnu::always_inline]] void stage_2() {
-  }
+  [[gnu::always_inline]] void stage_2() {}
   [[gnu::always_inline]] void stage_3() {
     when = rounded_by<Tier>(of_when, size_of(t1) * E[0], doubt);
     apart = rounded_by<Tier>(of_when, size_of(t1) * E[1], doubt);
   }
 };
-struct Collision {
-  using Inputs = CollisionInputs;
-  using Outputs = CollisionOutputs;
-  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
+struct Collision : Evaluator<CollisionInputs, CollisionOutputs> {
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <=

@@ -5,15 +5,9 @@
 // clang-format off
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include "magicmass/arithmetic/functions.hpp"
-#include "magicmass/arithmetic/rounding_test.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using arithmetic::rounded_by, arithmetic::size_of;
 struct DeficientInputs {
   std::int64_t k;
 };
@@ -42,16 +36,14 @@ struct DeficientGeneral {
     // for deficient_angle
     const N t2 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),
         N::exact(t1));
-    // deficient_angle_k = pi/(4*(1 + k))
-    [[maybe_unused]] const N deficient_angle = scaled(t2, 0x1p-2);
+    const N deficient_angle = scaled(t2, 0x1p-2);  // deficient_angle_k = pi/(4*(1 + k))
     const auto of_deficient_angle = sine_cosine_small<Tier>(deficient_angle);
     deficient_sine = of_deficient_angle.sine;  // deficient_sine_k = sin(deficient_angle_k)
   }
   [[gnu::always_inline]] void stage_2() {
     const N t3 = deficient_sine * deficient_sine;  // for deficient_versed, deficient_cosine
-    // deficient_versed_k = 2*deficient_sine_k^2
-    [[maybe_unused]] const N deficient_versed = scaled(t3, 0x1p+1);
-    [[maybe_unused]] const N t4 = scaled(t3, -0x1p+1);  // for deficient_cosine
+    const N deficient_versed = scaled(t3, 0x1p+1);  // deficient_versed_k = 2*deficient_sine_k^2
+    const N t4 = scaled(t3, -0x1p+1);  // for deficient_cosine
     // deficient_cosine_k = 1 - deficient_versed_k
     const N deficient_cosine = cancelling_sum(N::exact(N::all(0x1p+0)), t4);
     of_beta_ = quotient(deficient_versed, deficient_cosine);
@@ -60,10 +52,7 @@ struct DeficientGeneral {
     beta_ = rounded_by<Tier>(of_beta_, size_of(of_beta_) * E[0], doubt);
   }
 };
-struct Deficient {
-  using Inputs = DeficientInputs;
-  using Outputs = DeficientOutputs;
-  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
+struct Deficient : Evaluator<DeficientInputs, DeficientOutputs> {
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (double(in.k) >= 0x1p+0 && double(in.k) <= (is_wide ? 0x1p+63 : 0x1p+50))

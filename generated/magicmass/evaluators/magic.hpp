@@ -5,15 +5,9 @@
 // clang-format off
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include "magicmass/arithmetic/functions.hpp"
-#include "magicmass/arithmetic/rounding_test.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using arithmetic::rounded_by, arithmetic::size_of;
 struct MagicInputs {
   std::int64_t k;
 };
@@ -43,15 +37,14 @@ struct MagicGeneral {
     // for magic_angle
     const N t3 = quotient(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53),
         t2);
-    [[maybe_unused]] const N magic_angle = scaled(t3, 0x1p-1);  // magic_angle_k = pi/(2*(1 + 2*k))
+    const N magic_angle = scaled(t3, 0x1p-1);  // magic_angle_k = pi/(2*(1 + 2*k))
     const auto of_magic_angle = sine_cosine_small<Tier>(magic_angle);
     magic_sine = of_magic_angle.sine;  // magic_sine_k = sin(magic_angle_k)
   }
   [[gnu::always_inline]] void stage_2() {
     const N t4 = magic_sine * magic_sine;  // for magic_versed, magic_cosine
-    // magic_versed_k = 2*magic_sine_k^2
-    [[maybe_unused]] const N magic_versed = scaled(t4, 0x1p+1);
-    [[maybe_unused]] const N t5 = scaled(t4, -0x1p+1);  // for magic_cosine
+    const N magic_versed = scaled(t4, 0x1p+1);  // magic_versed_k = 2*magic_sine_k^2
+    const N t5 = scaled(t4, -0x1p+1);  // for magic_cosine
     // magic_cosine_k = 1 - magic_versed_k
     const N magic_cosine = cancelling_sum(N::exact(N::all(0x1p+0)), t5);
     of_alpha_ = quotient(magic_versed, magic_cosine);
@@ -60,10 +53,7 @@ struct MagicGeneral {
     alpha_ = rounded_by<Tier>(of_alpha_, size_of(of_alpha_) * E[0], doubt);
   }
 };
-struct Magic {
-  using Inputs = MagicInputs;
-  using Outputs = MagicOutputs;
-  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
+struct Magic : Evaluator<MagicInputs, MagicOutputs> {
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (double(in.k) >= 0x1p+1 && double(in.k) <= (is_wide ? 0x1p+63 : 0x1p+50))

@@ -6,15 +6,9 @@
 // clang-format off
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include "magicmass/arithmetic/functions.hpp"
-#include "magicmass/arithmetic/rounding_test.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using arithmetic::rounded_by, arithmetic::size_of;
 struct RestitutionInputs {
   double M_C, w_B, e;
 };
@@ -73,7 +67,7 @@ struct RestitutionGeneral {
     share_e = cancelling_sum(N::exact(N::all(0x1p+0)), -loss_e);  // share_e = 1 - loss_e
     const N gap_e = rise_e * share_e;  // gap_e = rise_e*share_e
     const N t13 = root_e * both_e;  // for whole_e
-    [[maybe_unused]] const N t14 = scaled(t13, 0x1p+1);  // for whole_e
+    const N t14 = scaled(t13, 0x1p+1);  // for whole_e
     const N t15 = N::fast_two_sum(N::all(0x1p+0), e);  // for whole_e
     const N whole_e = t14 + t15;  // whole_e = 2*sqrt(e)*both_e + (1 + e)
     const N t16 = quotient(N::all(0x1p+0), whole_e);  // for z_e
@@ -88,7 +82,7 @@ struct RestitutionGeneral {
     sine_e = scaled(t22, 0x1p+1);  // sine_e = 2*t_e/(1 + z_e)
   }
   [[gnu::always_inline]] void stage_2() {
-    [[maybe_unused]] const N step_e = scaled(t20, 0x1p+1);  // step_e = 2*atan(t_e)
+    const N step_e = scaled(t20, 0x1p+1);  // step_e = 2*atan(t_e)
     // for N_e, to_next, distance
     const T t23 = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+0, 0x1.921fb54442d18p+1,
         0x1.1a62633145c07p-53)) / leading(step_e));
@@ -163,10 +157,7 @@ struct RestitutionGeneral {
     doubt = doubt + doubt_of_range(parted_e, -0x1p+0, 0x1p+3);
   }
 };
-struct Restitution {
-  using Inputs = RestitutionInputs;
-  using Outputs = RestitutionOutputs;
-  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
+struct Restitution : Evaluator<RestitutionInputs, RestitutionOutputs> {
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ? 0x1p+190 :

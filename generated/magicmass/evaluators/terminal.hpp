@@ -6,17 +6,9 @@
 // clang-format off
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include "magicmass/arithmetic/functions.hpp"
-#include "magicmass/arithmetic/rounding_test.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using arithmetic::rounded_by, arithmetic::size_of;
-using arithmetic::load, arithmetic::Simd, arithmetic::SimdMask, arithmetic::store,
-    arithmetic::to_real, arithmetic::to_whole;
 struct TerminalInputs {
   double alpha;
 };
@@ -29,13 +21,14 @@ struct TerminalColumns {
   std::int64_t *N_A, *N_B;
   double *a_t, *b_t, *c_t, *rho;
   [[gnu::always_inline]] TerminalInputs get(std::size_t row) const { return {alpha[row]}; }
-  [[gnu::always_inline]] void set(std::size_t row, const TerminalOutputs& out) const {
-    N_A[row] = out.N_A;
-    N_B[row] = out.N_B;
-    a_t[row] = out.a_t;
-    b_t[row] = out.b_t;
-    c_t[row] = out.c_t;
-    rho[row] = out.rho;
+  /// Of a case's outputs, or of the main case: as many rows as a register has lanes.
+  [[gnu::always_inline]] void set(std::size_t row, const auto& out) const {
+    store(N_A + row, out.N_A);
+    store(N_B + row, out.N_B);
+    store(a_t + row, out.a_t);
+    store(b_t + row, out.b_t);
+    store(c_t + row, out.c_t);
+    store(rho + row, out.rho);
   }
 };
 /// terminal, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1.
@@ -74,14 +67,6 @@ struct TerminalSmall {
       [[maybe_unused]] std::size_t row) const {
     return (alpha >= 0x1p-100) & (alpha <= 0x1.fffffffffffffp-1);
   }
-  [[gnu::always_inline]] void store_outputs(const TerminalColumns& columns, std::size_t row) const {
-    store(columns.N_A + row, to_whole(N_A));
-    store(columns.N_B + row, to_whole(N_B));
-    store(columns.a_t + row, a_t);
-    store(columns.b_t + row, b_t);
-    store(columns.c_t + row, c_t);
-    store(columns.rho + row, rho);
-  }
   [[gnu::always_inline]] void stage_1() {
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
     const N t1 = times(above, alpha);  // for w
@@ -91,7 +76,7 @@ struct TerminalSmall {
     half_h = arc_tangent<Tier>(t, z);  // half_h = atan(t)
   }
   [[gnu::always_inline]] void stage_2() {
-    [[maybe_unused]] const N h = scaled(half_h, 0x1p+1);  // h = 2*half_h
+    const N h = scaled(half_h, 0x1p+1);  // h = 2*half_h
     // N_A = ceil(pi/(2*h) - 1/2)
     N_A = N::nearest(leading(N::pi_times(0x1p+0, 0x1p+1, 0x1.921fb54442d18p+0,
         0x1.1a62633145c07p-54)) / leading(h));
@@ -113,11 +98,11 @@ struct TerminalSmall {
     const N t_minus = cancelling_sum(t_cosine, -rest_sine);  // t_minus = t_cosine - rest_sine
     const N w_plus = w_cosine + rest_sine;  // w_plus = w_cosine + rest_sine
     const N t5 = w_plus * t_cosine;  // for b_form
-    [[maybe_unused]] const N b_form = scaled(t5, 0x1p+1);  // b_form = 2*w_plus*t_cosine
+    const N b_form = scaled(t5, 0x1p+1);  // b_form = 2*w_plus*t_cosine
     const N t6 = t_minus * t_plus;  // for a_t
-    [[maybe_unused]] const N of_a_t = -t6;
+    const N of_a_t = -t6;
     const N t7 = t_minus * w_cosine;  // for c_t
-    [[maybe_unused]] const N of_c_t = scaled(t7, 0x1p+1);
+    const N of_c_t = scaled(t7, 0x1p+1);
     const N of_rho = b_form * b_form;
     a_t = rounded_by<Tier>(of_a_t, size_of(t_plus) * E[0] + E[1], doubt);
     b_t = rounded_by<Tier>(b_form, size_of(t_cosine) * (size_of(w_plus) * E[2] + E[3]), doubt);
@@ -162,8 +147,7 @@ struct TerminalFirst {
     of_c_t = scaled(t4, -0x1p+1);
     of_rho = of_b_t * of_b_t;
   }
-  [[gnu::always_inline]] void stage_2() {
-  }
+  [[gnu::always_inline]] void stage_2() {}
   [[gnu::always_inline]] void stage_3() {
     a_t = rounded_by<Tier>(of_a_t, size_of(of_a_t) * E[0], doubt);
     b_t = rounded_by<Tier>(of_b_t, size_of(t2) * E[1], doubt);
@@ -171,13 +155,9 @@ struct TerminalFirst {
     rho = rounded_by<Tier>(of_rho, size_of(of_rho) * E[3], doubt);
   }
 };
-struct Terminal {
-  using Inputs = TerminalInputs;
-  using Outputs = TerminalOutputs;
-  using Columns = TerminalColumns;
+struct Terminal : Evaluator<TerminalInputs, TerminalOutputs, TerminalColumns> {
   template <class Tier, class N>
   using Main = TerminalSmall<Tier, N>;
-  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.alpha <=

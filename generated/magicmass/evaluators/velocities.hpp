@@ -6,17 +6,9 @@
 // clang-format off
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-
-#include "magicmass/arithmetic/functions.hpp"
-#include "magicmass/arithmetic/rounding_test.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-using arithmetic::rounded_by, arithmetic::size_of;
-using arithmetic::load, arithmetic::Simd, arithmetic::SimdMask, arithmetic::store,
-    arithmetic::to_real, arithmetic::to_whole;
 struct VelocitiesInputs {
   double alpha;
   std::int64_t n;
@@ -30,11 +22,12 @@ struct VelocitiesColumns {
   double *a, *b, *c, *c_prime;
   [[gnu::always_inline]] VelocitiesInputs get(std::size_t row) const { return {alpha[row], n[row]};
       }
-  [[gnu::always_inline]] void set(std::size_t row, const VelocitiesOutputs& out) const {
-    a[row] = out.a;
-    b[row] = out.b;
-    c[row] = out.c;
-    c_prime[row] = out.c_prime;
+  /// Of a case's outputs, or of the main case: as many rows as a register has lanes.
+  [[gnu::always_inline]] void set(std::size_t row, const auto& out) const {
+    store(a + row, out.a);
+    store(b + row, out.b);
+    store(c + row, out.c);
+    store(c_prime + row, out.c_prime);
   }
 };
 /// velocities, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, n from 0 to 1125899906842624,
@@ -69,13 +62,6 @@ struct VelocitiesSmall {
     return (alpha >= 0x1p-300) & (alpha <= 0x1.fffffffffffffp-1) & (n >= 0x0p+0) & (n <= 0x1p+50) &
         (to_whole(n) == load<SimdMask>(columns.n + row));
   }
-  [[gnu::always_inline]] void store_outputs(const VelocitiesColumns& columns, std::size_t row) const
-      {
-    store(columns.a + row, a);
-    store(columns.b + row, b);
-    store(columns.c + row, c);
-    store(columns.c_prime + row, c_prime);
-  }
   [[gnu::always_inline]] void stage_1() {
     const N above = N::fast_two_sum(N::all(0x1p+1), alpha);  // above = 2 + alpha
     const N t1 = times(above, alpha);  // for w
@@ -99,11 +85,11 @@ struct VelocitiesSmall {
     const N along = cancelling_sum(cosine, w_sine);  // along_n = cosine_n + w_sine_n
     const N of_a = plus * minus;
     const N t3 = along * t_sine;  // for b
-    [[maybe_unused]] const N of_b = scaled(t3, 0x1p+1);
+    const N of_b = scaled(t3, 0x1p+1);
     const N t4 = plus * w_sine;  // for c
-    [[maybe_unused]] const N of_c = scaled(t4, 0x1p+1);
+    const N of_c = scaled(t4, 0x1p+1);
     const N t5 = minus * w_sine;  // for c_prime
-    [[maybe_unused]] const N of_c_prime = scaled(t5, -0x1p+1);
+    const N of_c_prime = scaled(t5, -0x1p+1);
     a = rounded_by<Tier>(of_a, size_of(plus) * E[0] + size_of(minus) * E[1] + E[2], doubt);
     b = rounded_by<Tier>(of_b, size_of(t_sine) * (size_of(w_sine) * E[3] + E[4]), doubt);
     c = rounded_by<Tier>(of_c, size_of(w_sine) * E[5], doubt);
@@ -144,8 +130,7 @@ struct VelocitiesFirst {
     t4 = lead * t3;  // for c_prime
     of_c_prime = scaled(t4, -0x1p+1);
   }
-  [[gnu::always_inline]] void stage_2() {
-  }
+  [[gnu::always_inline]] void stage_2() {}
   [[gnu::always_inline]] void stage_3() {
     a = rounded_by<Tier>(of_a, size_of(of_a) * E[0], doubt);
     b = rounded_by<Tier>(of_b, size_of(t2) * E[1], doubt);
@@ -153,13 +138,9 @@ struct VelocitiesFirst {
     c_prime = rounded_by<Tier>(of_c_prime, size_of(t4) * E[3], doubt);
   }
 };
-struct Velocities {
-  using Inputs = VelocitiesInputs;
-  using Outputs = VelocitiesOutputs;
-  using Columns = VelocitiesColumns;
+struct Velocities : Evaluator<VelocitiesInputs, VelocitiesOutputs, VelocitiesColumns> {
   template <class Tier, class N>
   using Main = VelocitiesSmall<Tier, N>;
-  /// f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide: without over-, underflow.
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <=

@@ -143,6 +143,7 @@ template <class T>
 [[gnu::always_inline]] inline SimdMask to_whole(Simd n) {
   return SimdMask(n + 0x1p52) & 0xfffffffffffff;
 }
+[[gnu::always_inline]] inline void store(std::int64_t* to, Simd n) { store(to, to_whole(n)); }
 [[gnu::always_inline]] inline double to_real(std::int64_t n) { return double(n); }
 /// 0 for NaN, which a row in doubt may have.
 [[gnu::always_inline]] inline std::int64_t to_whole(double n) {

@@ -78,7 +78,7 @@ template <class Q, class Tier>
     for (std::size_t g = 0; g < registers; ++g) k[g].stage_2();
     for (std::size_t g = 0; g < registers; ++g) k[g].stage_3();
     for (std::size_t g = 0; g < registers; ++g, i += width) {
-      k[g].store_outputs(columns, i);
+      columns.set(i, k[g]);
       const SimdMask is_open = ~(k[g].is_in_case(columns, i) & (doubt_of(k[g]) == 0.0));
       std::int64_t any = 0;
       for (int lane = 0; lane < lanes; ++lane) any |= is_open[lane];
