@@ -4,6 +4,7 @@
 namespace equality {
 using notation::typed_text;
 namespace {
+constexpr std::size_t points_beyond = 8;
 constexpr std::size_t points_tried = 40;
 constexpr std::size_t points_inside = 10;
 constexpr std::size_t points_of_case = 4;
@@ -79,18 +80,25 @@ private:
       }
     return false;
   }
-  /// Of a negative base, which has no value where x is a fraction: put in, it might have one.
-  bool is_real_power_in(Expr e, Expr x) const {
-    Forms forms(domain);
-    if (is_call(e, "raised") && kernel::free_variables(e.arg(1)).contains(x) &&
-        is_proved([&] { return forms.is_positive(forms.of(-e.arg(0))); }))
-      return true;
-    return std::ranges::any_of(e.args(), [&](Expr part) { return is_real_power_in(part, x); });
+  /// Bases of powers that have no value where x is a fraction and they are negative: put in, they
+  /// might have one.
+  void real_powers_in(Expr e, Expr x, std::set<Expr>& bases) const {
+    if (is_call(e, "raised") && kernel::free_variables(e.arg(1)).contains(x))
+      bases.insert(e.arg(0));
+    for (Expr part : e.args()) real_powers_in(part, x, bases);
   }
   bool put_in(Expr x, Expr value) {
     const Range range = domain.ranges.at(x);
     const bool is_whole = Forms(domain).is_integer(value);
-    if (!is_whole && (range.is_integer || is_real_power_in(left - right, x))) return false;
+    if (!is_whole && range.is_integer) return false;
+    std::set<Expr> bases;
+    if (!is_whole) real_powers_in(left - right, x, bases);
+    for (Expr base : bases) {
+      const Requirement r{Need::NotNegative, base};
+      if (is_certain(r, domain)) continue;
+      domain.further.push_back({base, ">=", 0});
+      verdict.conditions.push_back(text(r));
+    }
     const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
     given += (given.empty() ? "" : ", ") + typed_text(x) + " = " + typed_text(value);
     const auto& [is_integer, low, high] = range;
@@ -119,9 +127,14 @@ private:
     const Domain box = narrowed(domain, conditions(domain));
     std::vector<Point> all = points(box, is_case ? points_of_case : points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
-    for (const Point& point :
-         points(narrowed(box, needs), is_case ? points_of_case : points_inside, {}, true))
-      if (std::ranges::find(all, point) == all.end()) all.push_back(point);
+    const auto add = [&](const Domain& part, std::size_t count) {
+      for (const Point& point : points(part, count, {}, true))
+        if (std::ranges::find(all, point) == all.end()) all.push_back(point);
+    };
+    add(narrowed(box, needs), is_case ? points_of_case : points_inside);
+    for (const Requirement& r : needs)  // where one side may have no value
+      if (r.kind != Need::NotZero && !is_case)
+        add(narrowed(box, {{Need::NotNegative, -r.term}}), points_beyond);
     std::string why_none;
     bool is_open = false;  // somewhere it would take more bits to know a value
     for (const Point& point : all) {
@@ -295,7 +308,7 @@ private:
   }
 
   void add_conditions() {
-    std::set<std::string> seen;
+    std::set<std::string> seen(verdict.conditions.begin(), verdict.conditions.end());
     for (const Requirement& r : needs) {
       const bool is_weaker = r.kind == Need::NotNegative &&  // than another one, or whole exponents
                              (std::ranges::count(needs, Requirement{Need::Positive, r.term}) > 0 ||

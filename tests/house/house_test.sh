@@ -31,6 +31,7 @@ fresh && printf 'int y%d;\n' {1..38000} >>"$copy/symbolic/kernel/a.cpp" && expec
 fresh && printf '// %097d\n' 0 >>"$copy/symbolic/kernel/a.cpp" && expect ""
 fresh && printf '// %098d\n' 0 >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: 101 columns"
 fresh && echo 'int a = 1; int b = 2;' >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: two statements"
+fresh && mkdir "$copy/generated" && echo 'int a = 1; int b = 2;' >"$copy/generated/a.hpp" && expect "a.hpp:1: two statements"
 fresh && echo 'const char* s = "a; b";  // one; two' >>"$copy/symbolic/kernel/a.cpp" && expect ""
 fresh && echo 'int a;' >"$copy/symbolic/kernel/a.inc" && expect "a.inc: this ending"
 fresh && echo 'int a;' >"$copy/symbolic/kernel/a.ixx" && expect "a.ixx: this ending"

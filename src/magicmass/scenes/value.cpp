@@ -93,7 +93,9 @@ bool Value::is_positive() const {
   return with_bits(17, [this] { return ball_of(*this) > 0; });
 }
 
-Value negative(const Value& x) { return {"", Quadratic(0) - x.number, x.ratio, -x.sign}; }
+Value negative(const Value& x) {
+  return {x.text.empty() ? "" : "-" + x.text, Quadratic(0) - x.number, x.ratio, -x.sign};
+}
 
 std::optional<Value> difference(const Value& x, const Value& y) try {
   const Quadratic rest = x.number - y.number;
