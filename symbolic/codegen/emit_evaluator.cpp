@@ -23,12 +23,6 @@ std::string range_in_code(Interval r, Interval wide, const std::string& is_wide,
   return end(r.low, wide.low) + between + end(r.high, wide.high);
 }
 
-/// Accurate first: it makes the plan. Ziv's bounds are reckoned at u = 2^-180, and are in units.
-std::vector<NumberType> number_types() {
-  constexpr double u = 0x1p-53;
-  return {{u, &tiers()[1]}, {u, &tiers()[0]}, {u, &tiers()[2]}, {0x1p-180, nullptr}};
-}
-
 class CaseEmitter {
 public:
   Words outputs;  // Accurate's bounds of those, in words
@@ -56,7 +50,11 @@ private:
 
   void bounds() {
     Plan plan;
-    for (const NumberType& t : number_types()) {
+    constexpr double u = 0x1p-53;
+    // Accurate first: it makes the plan. Ziv's bounds are reckoned at u = 2^-180, and are in units.
+    const NumberType types[] = {
+        {u, &tiers()[1]}, {u, &tiers()[0]}, {u, &tiers()[2]}, {0x1p-180, nullptr}};
+    for (const NumberType& t : types) {
       const bool is_wide = !t.is_pair();
       const Program program = is_wide ? lower(q, c, Numbers::wide) : p;
       Analysis a = analyse(program, t, plan);
@@ -86,9 +84,9 @@ private:
     for (const std::string& step : a.steps) e += "  " + step + "\n";
     for (std::size_t i = 0; i < a.outputs.size(); ++i) {
       const Result& r = p.results[i];
-      if (r.kind == Result::whole || r.kind == Result::guard) continue;
+      if (r.kind == Result::guard) continue;
       const std::string bound = r.name + ": " + in_words(program, a.outputs[i]);
-      const bool is_output = r.kind == Result::real;
+      const bool is_output = r.kind == Result::real || r.kind == Result::whole;
       e += (is_output ? "  OUTPUT " : "  SIGN ") + bound + "\n";
       if (is_output && t.name() == "Accurate") outputs.push_back(bound);
     }
@@ -165,12 +163,9 @@ private:
          " {}");
     line(inlined + Q + "Outputs outputs() const { return {" + joined(values, ", ") + "}; }");
     if (!q.has_arrays || &c != &q.cases[0]) return;
-    const std::string columns = "const " + Q + "Columns& columns, ";
-    result.header += "  " + name + "() = default;\n" + inlined + "void load_inputs(" + columns +
-                     "std::size_t row) {\n" + loads + "  }\n" + inlined +
-                     "SimdMask is_in_case([[maybe_unused]] " + columns +
-                     "[[maybe_unused]] std::size_t row) const {\n    return " + in_case.substr(3) +
-                     ";\n  }\n";
+    result.header += "  " + name + "() = default;\n  /// Which rows are in the case.\n" + inlined +
+                     "SimdMask load_inputs(const " + Q + "Columns& columns, std::size_t row) {\n" +
+                     loads + "    return " + in_case.substr(3) + ";\n  }\n";
   }
   void stage_function(int stage, const std::set<int>& kept) {
     line(inlined + "void stage_" + std::to_string(stage) + "() {");

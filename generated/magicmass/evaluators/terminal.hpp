@@ -60,11 +60,9 @@ struct TerminalSmall {
   [[gnu::always_inline]] TerminalOutputs outputs() const { return {N::to_whole(N_A),
       N::to_whole(N_B), a_t, b_t, c_t, rho}; }
   TerminalSmall() = default;
-  [[gnu::always_inline]] void load_inputs(const TerminalColumns& columns, std::size_t row) {
+  /// Which rows are in the case.
+  [[gnu::always_inline]] SimdMask load_inputs(const TerminalColumns& columns, std::size_t row) {
     alpha = load<Simd>(columns.alpha + row);
-  }
-  [[gnu::always_inline]] SimdMask is_in_case([[maybe_unused]] const TerminalColumns& columns,
-      [[maybe_unused]] std::size_t row) const {
     return (alpha >= 0x1p-100) & (alpha <= 0x1.fffffffffffffp-1);
   }
   [[gnu::always_inline]] void stage_1() {

@@ -53,12 +53,10 @@ struct VelocitiesSmall {
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
   [[gnu::always_inline]] VelocitiesOutputs outputs() const { return {a, b, c, c_prime}; }
   VelocitiesSmall() = default;
-  [[gnu::always_inline]] void load_inputs(const VelocitiesColumns& columns, std::size_t row) {
+  /// Which rows are in the case.
+  [[gnu::always_inline]] SimdMask load_inputs(const VelocitiesColumns& columns, std::size_t row) {
     alpha = load<Simd>(columns.alpha + row);
     n = to_real(load<SimdMask>(columns.n + row));
-  }
-  [[gnu::always_inline]] SimdMask is_in_case([[maybe_unused]] const VelocitiesColumns& columns,
-      [[maybe_unused]] std::size_t row) const {
     return (alpha >= 0x1p-300) & (alpha <= 0x1.fffffffffffffp-1) & (n >= 0x0p+0) & (n <= 0x1p+50) &
         (to_whole(n) == load<SimdMask>(columns.n + row));
   }

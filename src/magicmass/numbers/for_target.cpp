@@ -6,10 +6,7 @@
 
 namespace magicmass::numbers {
 inline namespace MAGICMASS_TARGET {
-using arithmetic::DoubleDouble;
-using arithmetic::lanes;
-using arithmetic::Simd;
-using arithmetic::SimdMask;
+using arithmetic::DoubleDouble, arithmetic::lanes, arithmetic::Simd, arithmetic::SimdMask;
 
 /// 0 where n <= N_A for certain: N_A = ceil(pi/(2 h) - 1/2) says that n h - h/2 < pi/2. The limit
 /// is 2^-41 below that; low parts and errors of both terms are below 2^-46.
@@ -63,23 +60,22 @@ bool restitution(Terminal& result, const Masses& masses, double e) {
 template <class Q, class Tier>
 [[gnu::always_inline]] inline std::size_t rows_of(std::size_t size,
                                                   const typename Q::Columns& columns, Open& open) {
-  constexpr std::size_t width = lanes;
-  constexpr std::size_t most = 64 / width;
-  std::size_t left = 0;
-  std::size_t i = 0;
+  constexpr std::size_t width = lanes, most = 64 / width;
+  std::size_t left = 0, i = 0;
   while (i + width <= size) {
     const std::size_t fit = (size - i) / width;
     const std::size_t registers = fit < most ? fit : most;
     typename Q::template Main<Tier, DoubleDouble<Simd>> k[most];
+    SimdMask is_in_case[most];
     for (std::size_t g = 0; g < registers; ++g) {
-      k[g].load_inputs(columns, i + g * width);
+      is_in_case[g] = k[g].load_inputs(columns, i + g * width);
       k[g].stage_1();
     }
     for (std::size_t g = 0; g < registers; ++g) k[g].stage_2();
     for (std::size_t g = 0; g < registers; ++g) k[g].stage_3();
     for (std::size_t g = 0; g < registers; ++g, i += width) {
       columns.set(i, k[g]);
-      const SimdMask is_open = ~(k[g].is_in_case(columns, i) & (doubt_of(k[g]) == 0.0));
+      const SimdMask is_open = ~(is_in_case[g] & (doubt_of(k[g]) == 0.0));
       std::int64_t any = 0;
       for (int lane = 0; lane < lanes; ++lane) any |= is_open[lane];
       if (any == 0) [[likely]]
@@ -109,9 +105,7 @@ std::size_t terminal_rows(std::size_t size, const TerminalRows& r, Open& open) {
       size, {r.alpha, r.N_A, r.N_B, r.a_t, r.b_t, r.c_t, r.rho}, open);
 }
 
-using generated::Accurate;
-using generated::Fast;
-using generated::Slow;
+using generated::Accurate, generated::Fast, generated::Slow;
 extern const Kernels table;
 const Kernels table{lanes == 8   ? "avx512"
                     : lanes == 4 ? "avx2"
@@ -121,7 +115,7 @@ const Kernels table{lanes == 8   ? "avx512"
                     {single<generated::Terminal, Fast>, single<generated::Terminal, Accurate>,
                      single<generated::Terminal, Slow>, terminal_by_mpfr},
                     restitution,
-                    single<generated::Terminal, Fast>,
+                    single<generated::Counts, Fast>,
                     {single<generated::Collision, Fast>, single<generated::Collision, Accurate>,
                      single<generated::Collision, Slow>, collision_by_mpfr},
                     {single<generated::Angle, Fast>, single<generated::Angle, Accurate>,

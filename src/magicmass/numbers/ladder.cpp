@@ -28,10 +28,6 @@ Value certain(bool (*const (&tiers)[4])(Value&, Arguments...), int tier, Argumen
   if (!is_mass_ratio(alpha) || alpha < too_many_below) return std::nullopt;
   return certain(kernels().terminal, alpha < slow_settles_few_below ? by_mpfr : tier + 1, alpha);
 }
-std::optional<Terminal> open_terminal(Tier tier, double alpha) {
-  const std::optional<Terminal> t = settled_terminal(tier, alpha);
-  return t && t->counts.N_A <= INT64_MAX - t->counts.N_B ? t : std::nullopt;
-}
 /// Each is the largest integer there is where it is that or more.
 Counts counts_or_most(double alpha) {
   Counts c;
@@ -105,9 +101,10 @@ std::optional<Velocities> velocities(Tier tier, double alpha, std::int64_t n) {
 }
 std::optional<Terminal> terminal(Tier tier, double alpha) {
   std::optional<Terminal> t(std::in_place);
-  if (!kernels().terminal[tier](*t, alpha)) [[unlikely]]
-    t = open_terminal(tier, alpha);
-  return t;
+  if (kernels().terminal[tier](*t, alpha)) [[likely]]
+    return t;
+  t = settled_terminal(tier, alpha);
+  return t && t->counts.N_A <= INT64_MAX - t->counts.N_B ? t : std::nullopt;
 }
 }  // namespace numbers
 

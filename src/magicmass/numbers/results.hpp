@@ -4,6 +4,7 @@
 
 #include "magicmass/evaluators/angle.hpp"
 #include "magicmass/evaluators/collision.hpp"
+#include "magicmass/evaluators/counts.hpp"
 #include "magicmass/evaluators/deficient.hpp"
 #include "magicmass/evaluators/magic.hpp"
 #include "magicmass/evaluators/restitution.hpp"
@@ -22,18 +23,16 @@ inline namespace MAGICMASS_TARGET {
 [[gnu::always_inline]] inline void set(Terminal& to, const generated::RestitutionOutputs& v) {
   to = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
 }
-[[gnu::always_inline]] inline void set(Counts& to, const generated::TerminalOutputs& v) {
-  to = {v.N_A, v.N_B};  // what is not returned is not computed: nothing else is tested
+[[gnu::always_inline]] inline void set(Counts& to, const generated::CountsOutputs& v) {
+  to = {v.N_A, v.N_B};
 }
 [[gnu::always_inline]] inline void set(Collision& to, const generated::CollisionOutputs& v) {
   to = {v.when, v.apart};
 }
-[[gnu::always_inline]] inline void set(double& to, const generated::AngleOutputs& v) { to = v.psi; }
-[[gnu::always_inline]] inline void set(double& to, const generated::MagicOutputs& v) {
-  to = v.alpha_;
-}
-[[gnu::always_inline]] inline void set(double& to, const generated::DeficientOutputs& v) {
-  to = v.beta_;
+/// Of an angle or a ratio.
+[[gnu::always_inline]] inline void set(double& to, const auto& only) {
+  const auto& [value] = only;
+  to = value;
 }
 }  // namespace MAGICMASS_TARGET
 }  // namespace magicmass::numbers

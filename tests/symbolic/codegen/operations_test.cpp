@@ -280,6 +280,5 @@ TEST_CASE("powers lose what the table allows, are cut off at 2^-200, and end whe
     }
   }
   CHECK(magicmass::arithmetic::power(Pair{0.5, 0}, 1e6).high == 0x1p-200);
-  CHECK_THROWS_WITH(t.power(0x1p-60, 0x1p40),
-                    Catch::Matchers::Equals("a power of too high an exponent"));
+  CHECK_THROWS_WITH(t.power(0x1p-60, 0x1p40), "a power of too high an exponent");
 }

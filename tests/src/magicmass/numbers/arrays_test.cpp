@@ -97,8 +97,7 @@ TEST_CASE("compilers and processors give the same bits") {
 TEST_CASE("columns not wanted are left out, others have as many rows and their own place") {
   const std::vector<double> alpha(40, 0.01);
   const std::vector<std::int64_t> n(40, 3);
-  std::vector<double> out(40);
-  std::vector<double> wrong(39);
+  std::vector<double> out(40), wrong(39);
   std::vector<std::int64_t> counts(40);
   accurate::velocities(alpha, n, {.b = out});
   CHECK(out[39] == accurate::velocities(0.01, 3).b);

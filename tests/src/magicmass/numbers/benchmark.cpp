@@ -126,8 +126,7 @@ void far_ranges() {
   const double ends[] = {1, 1e-4, 1e-12, 1e-20, 1e-25, 1e-30, 5.9e-38};
   for (int k = 0; k < 6; ++k) {
     Data d(ends[k + 1], ends[k]);
-    double least = 1e30;
-    double of_velocities = 1e30;
+    double least = 1e30, of_velocities = 1e30;
     for (int run = 0; run < 3; ++run) {
       least = std::min(least, nanoseconds([&] { accurate::terminal(d.alpha, d.terminal()); }));
       of_velocities = std::min(

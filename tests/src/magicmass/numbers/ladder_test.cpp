@@ -83,13 +83,15 @@ TEST_CASE("threads do not disturb each other, at any precision") {
   for (int k = 0; k < 4; ++k) threads.push_back(std::async(std::launch::async, wrong));
   for (auto& thread : threads) CHECK(thread.get() == 0);
 }
-TEST_CASE("no kernel answers past the last cycle") {
+TEST_CASE("no kernel answers past the last cycle, and all have the same last one") {
   Random random(52);
   for (int row = 0; row < 2000; ++row) {
     const double alpha = row % 2 == 0 ? families[0].alpha(random) : log_uniform(random, 1e-30, 1);
     const std::int64_t last = count_collisions(alpha)->N_A;
     for (const numbers::Kernels* table : all_kernels()) {
       INFO(table->name << ", alpha = " << in_hex(alpha));
+      Counts counts;
+      CHECK((table->counts(counts, alpha) ? counts.N_A == last : alpha < 1e-20));
       Velocities v;
       for (int tier = 0; tier < 3; ++tier) CHECK_FALSE(table->velocities[tier](v, alpha, last + 1));
       if (alpha > 1e-4 && alpha < 0.9) CHECK(table->velocities[0](v, alpha, last - 1));

@@ -20,10 +20,7 @@ constexpr double countable_from = 5.9e-38;
 constexpr std::size_t block = 4096;
 
 struct Tally {
-  long rows = 0;
-  long by_oracle = 0;
-  long misrounded = 0;
-  long wrong_counts = 0;
+  long rows = 0, by_oracle = 0, misrounded = 0, wrong_counts = 0;
 };
 struct Row {
   const Family* family;
