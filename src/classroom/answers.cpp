@@ -77,11 +77,11 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
   const host::End end = host::end_of(
       {"an answer"}, "", {.seconds = seconds, .file_bytes = 64U << 20U, .instead = judged});
   if (end.code == 0 && !end.is_late && !end.output.empty()) return unpacked(end.output);
-  const std::string signal = std::to_string(end.code - host::of_signal);
   return {Mark::undecided,
           end.is_late ? "It was not judged within " + std::to_string(seconds) + " s."
-          : end.code > host::of_signal ? "Judging it crashed: signal " + signal + "."
-                                       : "Its judge ended before it said anything."};
+          : end.code > host::of_signal
+              ? "Judging it crashed: signal " + std::to_string(end.code - host::of_signal) + "."
+              : "Its judge ended before it said anything."};
 }
 
 constexpr std::size_t misses_without_hint = 2;

@@ -42,13 +42,6 @@ std::vector<std::filesystem::path> students_of(const std::string& place) {
   return students;
 }
 
-std::vector<Exercise> chosen(std::vector<Exercise> all, const std::string& ids) {
-  std::set<std::string> names;
-  for (const std::string& id : learn::split(ids, ',')) names.insert(named(all, id).id);
-  if (!names.empty()) std::erase_if(all, [&](const auto& e) { return !names.contains(e.id); });
-  return all;
-}
-
 }  // namespace
 
 const Exercise& named(const std::vector<Exercise>& all, const std::string& id) {
@@ -63,7 +56,11 @@ Answer grade(const Request& request, const std::vector<Exercise>& all, const lea
     throw InvalidInput("learn grade: give one folder, which has a folder for each student");
   const bool is_why = request.has("why"), is_summary = request.has("summary");
   if (is_why && is_summary) throw InvalidInput("learn grade: --why or --summary, not both");
-  const std::vector<Exercise> exercises = chosen(all, request.text("only"));
+  const learn::Texts only = learn::split(request.text("only"), ',');
+  for (const std::string& id : only) named(all, id);
+  std::vector<Exercise> exercises = all;
+  if (!only.empty())
+    std::erase_if(exercises, [&](const auto& e) { return std::ranges::count(only, e.id) == 0; });
   answers::Table marks{{"student"}, {}};
   answers::Table why{{"student", "id", "verdict", "feedback", "misconception"}, {}};
   answers::Table summary{{"id", "misconception", "students"}, {}};

@@ -187,17 +187,17 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
                       .bytes = 1024 * mebibyte,
                       .file_bytes = 64 * mebibyte,
                       .folder = folder.path};
-  const auto compile = [&](const learn::Texts& how) {  // alike, lest an answer tells them apart
+  const auto compile = [&](const std::string& how) {  // alike, lest an answer tells them apart
     learn::Texts words = learn::split(
-        "env LC_ALL=C c++ -std=c++20 -O1 -ffp-contract=off -w -fmax-errors=1 called.cpp", ' ');
+        "env LC_ALL=C c++ -std=c++20 -O1 -ffp-contract=off -w -fmax-errors=1 called.cpp " + how,
+        ' ');
     words.insert(words.begin() + 1, "TMPDIR=" + folder.path);
-    words.insert(words.end(), how.begin(), how.end());
     return host::end_of(words, "", bounds);
   };
-  if (const std::string file = foreign_file(compile({"-M"}).output); !file.empty())
+  if (const std::string file = foreign_file(compile("-M").output); !file.empty())
     return {.unread = "it includes " + file + "; allowed: headers of the standard library"};
   bounds.confine = read_programs_only;
-  const End compiled = compile({"-x", "c++", "exercise_driver.hpp", "-static", "-o", "program"});
+  const End compiled = compile("-x c++ exercise_driver.hpp -static -o program");
   if (compiled.code == host::not_there)
     throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
   if (compiled.is_late || compiled.code != 0)
@@ -227,9 +227,8 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
 learn::Ran run_code(const Exercise& e, const std::string& code, const learn::Rows& inputs) {
   static std::map<std::tuple<std::string, std::string, learn::Rows>, learn::Ran> known;
   const std::tuple key{e.driver, code, inputs};
-  const auto found = known.find(key);
-  if (found != known.end()) return found->second;
-  return known[key] = compiled_and_run(e, code, inputs);
+  if (!known.contains(key)) known[key] = compiled_and_run(e, code, inputs);
+  return known[key];
 }
 
 }  // namespace classroom

@@ -51,18 +51,6 @@ struct Progress {
   }
 };
 
-[[noreturn]] void run_child(const Limits& limits, int to_parent, std::atomic<std::uint64_t>& done,
-                            const std::function<ExitCode(const Tell&)>& action) {
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  host::limit(RLIMIT_CORE, 0);
-  if (__asan_init == nullptr) host::limit(RLIMIT_AS, static_cast<rlim_t>(limits.mebibytes) << 20U);
-  const ExitCode code = action([&](std::uint64_t rows) {
-    if (rows > 0) return done.store(rows);
-    [[maybe_unused]] const ssize_t ignored = ::write(to_parent, "", 1);
-  });
-  ::_exit(static_cast<int>(code));
-}
-
 /// True where the child is at its end, false where its time is.
 bool wait_for(int from_child, const Limits& limits, Progress& progress) {
   const auto start = Clock::now();
@@ -80,20 +68,6 @@ bool wait_for(int from_child, const Limits& limits, Progress& progress) {
   return false;
 }
 
-ExitCode verdict(const std::string& name, int status, const Limits& limits) {
-  if (WIFEXITED(status)) return static_cast<ExitCode>(WEXITSTATUS(status));
-  const int signal = WTERMSIG(status);
-  for (const int of_user : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
-    if (signal == of_user) {
-      std::signal(signal, SIG_DFL);
-      std::raise(signal);
-    }
-  return say(name + ": ended by signal " + std::to_string(signal) + " (" + ::strsignal(signal) +
-                 "); a smaller question may do, or more than --memory-limit " +
-                 std::to_string(limits.mebibytes),
-             ExitCode::undecided);
-}
-
 }  // namespace
 
 ExitCode run_bounded(const std::string& name, const Limits& limits,
@@ -106,7 +80,14 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
   if (child < 0) throw answers::Undecided(name + ": no process: " + std::strerror(errno));
   if (child == 0) {
     ::close(pipe[0]);
-    run_child(limits, pipe[1], rows, action);
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    host::limit(RLIMIT_CORE, 0);
+    if (__asan_init == nullptr) host::limit(RLIMIT_AS, rlim_t(limits.mebibytes) << 20U);
+    const ExitCode code = action([&](std::uint64_t done) {
+      if (done > 0) return rows.store(done);
+      [[maybe_unused]] const ssize_t ignored = ::write(pipe[1], "", 1);
+    });
+    ::_exit(static_cast<int>(code));
   }
   ::close(pipe[1]);
   const std::string limit =
@@ -122,7 +103,19 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   ::close(pipe[0]);
   progress.hide();
-  if (is_done) return verdict(name, status, limits);
+  if (is_done && WIFEXITED(status)) return static_cast<ExitCode>(WEXITSTATUS(status));
+  if (is_done) {
+    const int signal = WTERMSIG(status);
+    for (const int of_user : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+      if (signal == of_user) {
+        std::signal(signal, SIG_DFL);
+        std::raise(signal);
+      }
+    return say(name + ": ended by signal " + std::to_string(signal) + " (" + ::strsignal(signal) +
+                   "); a smaller question may do, or more than --memory-limit " +
+                   std::to_string(limits.mebibytes),
+               ExitCode::undecided);
+  }
   return say(name + ": not done after " + std::to_string(limits.seconds) + " s" +
                  (rows > 0 ? ", only " + std::to_string(rows) + " rows" : "") +
                  "; a smaller question may do, or a longer --time-limit",

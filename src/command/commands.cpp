@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One row a command.
 
 #include "answers/derivation.hpp"
 #include "classroom/classroom.hpp"

@@ -38,8 +38,7 @@ std::string drawn(const std::string& script, const std::string& data, const std:
     throw std::runtime_error("figure: gnuplot could not draw: " + shown_text(said.errors, 200));
   return said.output;
 }
-/// No date: two runs give the same bytes. Of the same length, since a PDF counts its bytes. Where
-/// it is compressed (cairo of Debian 13) it stays.
+/// No date, where it is not compressed; of the same length, since a PDF counts its bytes.
 std::string dateless(std::string pdf) {
   const std::size_t begin = pdf.find("/CreationDate (");
   const std::size_t end = pdf.find(')', begin);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The program magicmass.
 #include "command/command.hpp"
 
 int main(int argc, char** argv) {

@@ -57,12 +57,6 @@ std::string help_of(const CLI::App& app) {
   return text;
 }
 
-const Command& command_of(const Program& program, const std::string& word) {
-  for (const Command& command : program.commands)
-    if (command.name == word) return command;
-  throw InvalidInput("unknown command " + shown_text(word) + "; see " + program.name + " --help");
-}
-
 /// Options by name, and what else there is. An option takes the next word, though it begin with a
 /// minus sign (not with two); so may formulas, and what follows "--".
 Request request_of(const Command& command, const std::vector<Option>& options,
@@ -165,7 +159,11 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   words.erase(words.begin());
   if (first == "--help" || first == "-h") return help_of(program);
   if (first == "--version") return program.name + " " + program.version + "\n";
-  const Command& command = command_of(program, first);
+  const auto found = std::ranges::find(program.commands, first, &Command::name);
+  if (found == program.commands.end())
+    throw InvalidInput("unknown command " + shown_text(first) + "; see " + program.name +
+                       " --help");
+  const Command& command = *found;
   const std::vector<Option> options = options_of(command);
   const std::string full_name = program.name + " " + command.name;
   if (std::ranges::count(words, "--help") + std::ranges::count(words, "-h") > 0)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// From the command line to an exit code.
 #include <csignal>
 #include <new>
 
@@ -31,14 +30,6 @@ ExitCode guarded(const std::string& name, const std::string& place,
   } catch (const std::exception& error) {
     return say(place + error.what(), ExitCode::undecided);
   }
-}
-
-/// Where one was closed, a file would get its number, and what is meant for the terminal: it gets a
-/// stream that takes and gives nothing.
-void open_standard_streams() {
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(descriptor, F_GETFD) < 0)
-      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 /// Of rows of the input, written a block at a time.
@@ -127,29 +118,30 @@ ExitCode answer(const Asked& asked, const Tell& tell, std::string& place) {
   return code;
 }
 
-ExitCode run(const Program& program, const std::vector<std::string>& words) {
-  const auto parsed = parse(program, words);
-  if (const auto* text = std::get_if<std::string>(&parsed)) {
-    Destination output("", [] {});
-    output.write(*text);
-    output.finish();
-    return ExitCode::done;
-  }
-  const Asked& asked = std::get<Asked>(parsed);
-  const std::string& name = asked.command->name;
-  return run_bounded(name, asked.limits, [&](const Tell& tell) {
-    std::string place;  // of the row of input
-    return guarded(name, place, [&] { return answer(asked, tell, place); });
-  });
-}
-
 }  // namespace
 
 int run_program(const Program& program, const std::vector<std::string>& words) {
-  open_standard_streams();
+  // Where one was closed, a file would get its number, and what is meant for the terminal.
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(descriptor, F_GETFD) < 0)
+      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);  // which is refused
   std::signal(SIGXFSZ, SIG_IGN);  // a file too large for its limit is refused as on a full disk
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has seen enough is no error: see ClosedPipe
-  return static_cast<int>(guarded(program.name, "", [&] { return run(program, words); }));
+  return static_cast<int>(guarded(program.name, "", [&] {
+    const auto parsed = parse(program, words);
+    if (const auto* text = std::get_if<std::string>(&parsed)) {
+      Destination output("", [] {});
+      output.write(*text);
+      output.finish();
+      return ExitCode::done;
+    }
+    const Asked& asked = std::get<Asked>(parsed);
+    const std::string& name = asked.command->name;
+    return run_bounded(name, asked.limits, [&](const Tell& tell) {
+      std::string place;  // of the row of input
+      return guarded(name, place, [&] { return answer(asked, tell, place); });
+    });
+  }));
 }
 
 }  // namespace command

@@ -55,10 +55,6 @@ struct Cases {
   std::vector<std::vector<cl_RA>> expected = {};
 };
 
-bool is_step(const std::string& text) {
-  return !matched(text, "[^-+*/^() 0-9][^-+*/^() ]*\\.[^-+*/^() ]*").empty();
-}
-
 Cases cases_of(const Exercise& e, const Run& run) {
   Cases cases;
   Exercise plain = e;
@@ -77,9 +73,10 @@ Cases cases_of(const Exercise& e, const Run& run) {
     const Terms terms(at_case);
     std::vector<cl_RA>& expected = cases.expected.emplace_back();
     for (const std::string& output : e.outputs) {
-      const Expr term = output == own_results ? Expr(0)
-                        : is_step(output)     ? terms.from_step(output)
-                                              : terms.content(output);
+      const std::string step = "[^-+*/^() 0-9][^-+*/^() ]*\\.[^-+*/^() ]*";
+      const Expr term = output == own_results            ? Expr(0)
+                        : !matched(output, step).empty() ? terms.from_step(output)
+                                                         : terms.content(output);
       expected.push_back(value_of(terms.in_full(term), output));
     }
   }
@@ -125,16 +122,6 @@ std::string difference(const Exercise& e, const Cases& cases, const Rows& rows) 
   return {};
 }
 
-bool are_alike(const Rows& left, const Rows& right, double absolute) {
-  const auto is_near = [&](double x, double y) {
-    return x == y || (std::isnan(x) && std::isnan(y)) ||
-           std::abs(x - y) <= std::max(absolute, 1e-9 * std::abs(x));
-  };
-  return std::ranges::equal(left, right, [&](const Numbers& l, const Numbers& r) {
-    return std::ranges::equal(l, r, is_near);
-  });
-}
-
 }  // namespace
 
 Judgement judge_code(const Exercise& e, const std::string& code, const Run& run) {
@@ -150,8 +137,15 @@ Judgement judge_code(const Exercise& e, const std::string& code, const Run& run)
     return {Mark::wrong, place(e, done) + ran.stopped + (ran.stopped.ends_with('?') ? "" : ".")};
   const std::string different = difference(e, cases, ran.rows);
   if (different.empty()) return {Mark::right, "Right, in all cases."};
+  const auto is_near = [absolute = Within(e.within).absolute](double x, double y) {
+    return x == y || (std::isnan(x) && std::isnan(y)) ||
+           std::abs(x - y) <= std::max(absolute, 1e-9 * std::abs(x));
+  };
+  const auto are_near = [&](const Numbers& l, const Numbers& r) {
+    return std::ranges::equal(l, r, is_near);
+  };
   const auto was_given = [&](const std::string& answer) {
-    return are_alike(run(e, answer, cases.inputs).rows, ran.rows, Within(e.within).absolute);
+    return std::ranges::equal(run(e, answer, cases.inputs).rows, ran.rows, are_near);
   };
   return mistake(e, was_given, different);
 }

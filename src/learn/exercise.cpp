@@ -10,7 +10,6 @@ namespace learn {
 namespace {
 
 using Pairs = std::map<std::string, std::string>;
-using Lists = std::vector<Texts>;
 
 /// Each once. No other file includes <regex>, which takes seconds to compile.
 const std::regex& compiled(const std::string& pattern) {
@@ -96,16 +95,6 @@ struct Reader {
                          meant(key, known, "; allowed: " + answers::joined(known)));
     }
   }
-  /// The solution with these edits.
-  std::string edited(const toml::table& file, std::string code, const Lists& edits) const {
-    for (const Texts& edit : edits) {
-      if (edit.size() != 2 || edit[0].empty() || code.find(edit[0]) == code.npos)
-        refuse(*file.get("misconceptions"), "replace: what is in solution_code, and by what, got " +
-                                                answers::shown_text(answers::joined(edit), 80));
-      replace_all(code, edit[0], edit[1]);
-    }
-    return code;
-  }
   void check(const toml::table& file, const Exercise& e) const {
     const auto need = [&](bool fine, const std::string& what) {
       if (!fine) refuse(file, what);
@@ -157,8 +146,17 @@ Exercise read_exercise(std::string_view text, const std::string& source, std::si
   }
   reader.read_keys(file, {"variants"}, "", e);
   reader.check(file, e);
-  for (Misconception& m : e.misconceptions)
-    if (!m.replace.empty()) m.answers.push_back(reader.edited(file, e.solution_code, m.replace));
+  for (Misconception& m : e.misconceptions) {
+    if (!m.replace.empty()) m.answers.push_back(e.solution_code);
+    for (const Texts& edit : m.replace) {
+      std::string& code = m.answers.back();
+      if (edit.size() != 2 || edit[0].empty() || code.find(edit[0]) == code.npos)
+        reader.refuse(*file.get("misconceptions"),
+                      "replace: what is in solution_code, and by what, got " +
+                          answers::shown_text(answers::joined(edit), 80));
+      replace_all(code, edit[0], edit[1]);
+    }
+  }
   return e;
 }
 

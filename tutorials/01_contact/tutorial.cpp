@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// One collision of two bodies: what the laws say, what follows, and what happens when a law is
-// spoiled.
+// One collision of two bodies: what the laws say, what follows, and what a spoiled law would do.
 #include <cstdio>
 
 #include "derivation/symbols.hpp"

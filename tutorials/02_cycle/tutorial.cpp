@@ -28,8 +28,7 @@ void print_matrix(const char* name, const Matrix& m) {
 }
 
 int main() {
-  // With this mass ratio all entries are short decimals.
-  const double alpha = 0.25;
+  const double alpha = 0.25;  // with which all entries are short decimals
   const Matrix Gamma_A = magicmass::generated::Gamma_A(alpha);
   const Matrix Gamma_B = magicmass::generated::Gamma_B(alpha);
   const Matrix Lambda = magicmass::generated::Lambda(alpha);

@@ -14,11 +14,6 @@ using Vector = std::array<double, 3>;
 double dot(const Vector& x, const Vector& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 double degrees(double angle) { return 180 / std::numbers::pi * angle; }
 
-// The third column of R: the direction that Lambda leaves alone.
-Vector axis(double alpha) {
-  const auto R = magicmass::generated::R(alpha);
-  return {R[0][2], R[1][2], R[2][2]};
-}
 // The angle between what is left of two vectors without their parts along the axis.
 double angle_about(const Vector& axis, const Vector& x, const Vector& y) {
   const double x_along = dot(x, axis), y_along = dot(y, axis);
@@ -35,7 +30,8 @@ int main() {
                 2 * std::numbers::pi / psi);
   }
   const double alpha = 0.1;
-  const Vector e_3 = axis(alpha);
+  const auto R = magicmass::generated::R(alpha);
+  const Vector e_3{R[0][2], R[1][2], R[2][2]};  // its third column: Lambda leaves it alone
   std::printf("chosen_alpha: %g\nchosen_angle: %.4f\n", alpha,
               degrees(magicmass::accurate::angle(alpha)));
   std::printf("turning:\n  n | a_n | b_n | along the axis | turned in degrees\n");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// All velocities in closed form: exact fractions by the formula and collision by collision; then a
-// leap.
+// All velocities in closed form: exact fractions by formula and by stepping; then a leap.
 #include <bit>
 #include <cstdint>
 #include <cstdio>
@@ -15,8 +14,10 @@
 
 using cln::cl_RA;
 
-// Velocities as fractions by the exact form, and whether stepping gives the same ones.
-void print_fractions(const cl_RA& alpha) {
+int main() {
+  const cl_RA alpha = cl_RA(1) / 7;
+  std::printf("alpha: %s\n", kernel::digits(alpha).c_str());
+  // Velocities as fractions by the exact form, and whether stepping gives the same ones.
   std::printf("fractions:\n  n | a_n | b_n | c_n | c'_n | stepping agrees\n");
   magicmass::simulator::ThreeBodies<cl_RA> motion(alpha);
   for (std::int64_t n = 1; motion.step(); ++n) {
@@ -31,12 +32,6 @@ void print_fractions(const cl_RA& alpha) {
       std::printf(" | %s", kernel::digits(number).c_str());
     std::printf(" | %s\n", same ? "yes" : "no");
   }
-}
-
-int main() {
-  const cl_RA alpha = cl_RA(1) / 7;
-  std::printf("alpha: %s\n", kernel::digits(alpha).c_str());
-  print_fractions(alpha);
   // A leap into the middle of a long story: no step before it has to be taken.
   const double feather = 1e-20;
   const std::int64_t middle = magicmass::count_collisions(feather)->N_B / 2;

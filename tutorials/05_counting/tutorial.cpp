@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// How many collisions: the approach speeds one by one, the exact count, and a count that goes
-// wrong.
+// How many collisions: approach speeds one by one, the exact count, and a count that goes wrong.
 #include <cmath>
 #include <cstdio>
 
@@ -9,10 +8,10 @@
 #include "magicmass/plain/closed.hpp"
 #include "magicmass/simulator/three_bodies.hpp"
 
-// Collisions of one run, one by one, each with the speed at which the next pair approaches.
-void print_run(double alpha) {
+int main() {
+  // Collisions of one run, one by one, each with the speed at which the next pair approaches.
   std::printf("clock:\n  collision | A | B | ball | approach speed before the next\n");
-  magicmass::simulator::ThreeBodies<double> motion(alpha);
+  magicmass::simulator::ThreeBodies<double> motion(0.12);
   for (int j = 0; const auto event = motion.step(); ++j) {
     const auto& [A, C, B] = motion.bodies();
     const bool with_A = event->gap == 1;
@@ -20,10 +19,6 @@ void print_run(double alpha) {
     std::printf("  %c %d | %.4f | %.4f | %.4f | %.4f\n", with_A ? 'P' : 'Q', j / 2 + 1, A.velocity,
                 B.velocity, C.velocity, approach);
   }
-}
-
-int main() {
-  print_run(0.12);
   // If the counts grow as one over the root of the mass ratio, the last column tends to a number.
   std::printf("light_balls:\n  alpha | N_A | N_B | N_A*sqrt(alpha)\n");
   for (const double alpha : {10.0, 1.0, 0.5, 0.12, 1e-2, 1e-4, 1e-8, 1e-16, 1e-30}) {
@@ -32,8 +27,7 @@ int main() {
                 static_cast<long long>(counts.N_B), double(counts.N_A) * std::sqrt(alpha));
   }
   // The paper's formula in doubles, at the doubles nearest to the thresholds and their neighbours.
-  int wrong = 0;
-  int asked = 0;
+  int wrong = 0, asked = 0;
   for (std::int64_t k = 2; k <= 1000; ++k) {
     const double threshold = magicmass::accurate::ratios(k).magic;
     for (const double alpha :

@@ -12,8 +12,7 @@ int main() {
     std::printf("  %g | %.6f | %.6f | %.6f | %.6f | %.6f\n", alpha, end.a_t, end.c_t, end.b_t,
                 end.rho, 2 / (2 + alpha));
   }
-  // Many ratios, evenly spaced on a logarithmic scale: every rule of the chapter is put to the
-  // test.
+  // Many ratios, evenly spaced on a logarithmic scale, put every rule of the chapter to the test.
   int asked = 0, in_order = 0, recoils = 0, never_faster = 0, at_least_twice = 0;
   double largest_recoil = 0, its_alpha = 0;
   for (double alpha = 1e-6; alpha < 1e3; alpha *= 1.0005) {

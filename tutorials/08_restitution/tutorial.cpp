@@ -31,9 +31,8 @@ int main() {
   std::printf("  e | N_A | N_B | a_t | c_t | b_t | energy of B | energy of all\n");
   for (const double e : {1.0, 0.99, 0.95, 0.9, 0.8, 0.7, 0.6}) {
     const auto end = terminal(alpha, e).value();
-    std::printf("  %g | %lld | %lld | %.4f | %.4f | %.4f | %.4f | %.4f\n", e,
-                static_cast<long long>(end.counts.N_A), static_cast<long long>(end.counts.N_B),
-                end.a_t, end.c_t, end.b_t, end.rho,
+    std::printf("  %g | %d | %d | %.4f | %.4f | %.4f | %.4f | %.4f\n", e, int(end.counts.N_A),
+                int(end.counts.N_B), end.a_t, end.c_t, end.b_t, end.rho,
                 end.a_t * end.a_t + alpha * end.c_t * end.c_t + end.rho);
   }
   std::printf("thresholds:\n  e | heaviest ball in collapse\n");
@@ -49,9 +48,8 @@ int main() {
     std::int64_t simulated = 0;
     while (motion.next()) simulated = motion.step().number;
     const auto exact = terminal(1, e)->counts;
-    std::printf("  %g | %lld | %lld | %lld\n", e, static_cast<long long>(simulated),
-                static_cast<long long>(motion.ties().near),
-                static_cast<long long>(exact.N_A + exact.N_B));
+    std::printf("  %g | %d | %d | %d\n", e, int(simulated), int(motion.ties().near),
+                int(exact.N_A + exact.N_B));
   }
   const double below = 0.05;
   std::printf("below: %g\ncollapse:\n  collisions so far | time\n", below);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Times and places of the collisions: by simulation, by formula, and as points of one straight
-// line.
+// Times and places of collisions: by simulation, by formula, and as points of a straight line.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -16,8 +15,7 @@ double distance_of_blocks(const Motion& motion) {
 
 int main() {
   const double alpha = 0.1;
-  // The angle of the wedge.
-  const double h = magicmass::accurate::angle(alpha) / 2;
+  const double h = magicmass::accurate::angle(alpha) / 2;  // the angle of the wedge
   std::printf("alpha: %g\nevents:\n", alpha);
   std::printf("  j | collision | t simulated | when_j | A to B simulated | apart_j\n");
   Motion motion(alpha);
