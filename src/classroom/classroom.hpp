@@ -18,6 +18,9 @@ using learn::Judgement;
 
 Answer learn_by_exercises(const Request& request);
 
+/// The program's exercises, or those of a folder or file, chapter by chapter.
+std::vector<Exercise> exercises(const std::string& place = "", std::size_t variant = 0);
+
 /// "half_angle.txt", or "collide.cpp" for code.
 std::string answer_file(const Exercise& exercise);
 

@@ -6,42 +6,19 @@
 #include "magicmass/scenes/files.hpp"
 
 namespace classroom {
-namespace {
 
 using magicmass::scenes::text_of;
 
-/// The program's exercises, or those of a folder or file, chapter by chapter.
-std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
-  std::map<std::string, std::string> texts;
-  if (place.empty()) {
-    for (const auto& [name, text] : host::embedded())
-      if (name.find("/exercises/") != name.npos && name.ends_with(".toml")) texts[name] = text;
-  } else if (std::filesystem::is_directory(place)) {
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
-      if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "scenes")
-        texts.emplace(entry.path(), text_of(entry.path()));
-  } else {
-    texts.emplace(place, text_of(place));
-  }
-  std::vector<Exercise> all;
-  for (const auto& [source, text] : texts) {
-    const Exercise e = learn::read_exercise(text, source, variant);
-    for (const Exercise& other : all)
-      if (other.id == e.id) throw InvalidInput(source + ": the id of " + other.source + ", too");
-    all.push_back(e);
-  }
-  if (all.empty()) throw InvalidInput("learn: no exercises in " + answers::shown_text(place));
-  return all;
-}
+namespace {
 
-std::vector<Exercise> exercises(const Request& request) {
+std::vector<Exercise> asked_for(const Request& request) {
   const std::int64_t seed = request.whole("seed", 0, 1'000'000'000).value_or(0);
   return exercises(request.text("folder"), static_cast<std::size_t>(seed));
 }
 
 Exercise exercise(const Request& request) {
   if (request.words.size() < 2) throw InvalidInput("learn " + request.words[0] + ": give an ID");
-  return named(exercises(request), request.words[1]);
+  return named(asked_for(request), request.words[1]);
 }
 
 Answer document(const Request& request, const Exercise& e, const std::string& text) {
@@ -54,7 +31,7 @@ Answer list(const Request& request) {
   const std::size_t columns = request.format == "text" ? 3 : 5;  // so that it fits on a screen
   table.columns.resize(columns);
   std::map<std::string, Attempts> before = attempts();
-  for (const Exercise& e : exercises(request)) {
+  for (const Exercise& e : asked_for(request)) {
     const std::string& done = before[e.id].done;
     table.rows.push_back({text_cell(e.id), done.empty() ? answers::missing_cell() : text_cell(done),
                           text_cell(e.title), text_cell(e.kind), text_cell(e.chapter)});
@@ -113,12 +90,12 @@ Answer solution(const Request& request) {
 Answer watch_folder(const Request& request) {
   if (request.format != "text") throw InvalidInput("learn watch: --format: allowed: text");
   const std::string folder = request.words.size() > 1 ? request.words[1] : ".";
-  return {.table = {}, .stream = [folder, all = exercises(request)](const auto& say) {
+  return {.table = {}, .stream = [folder, all = asked_for(request)](const auto& say) {
             watch(all, folder, run_code, say);
           }};
 }
 
-Answer grade_class(const Request& request) { return grade(request, exercises(request), run_code); }
+Answer grade_class(const Request& request) { return grade(request, asked_for(request), run_code); }
 
 Answer make(const Request& request) {
   if (request.words.size() != 2) throw InvalidInput("learn new: give the name of one new file");
@@ -152,6 +129,29 @@ Answer test(const Request& request) {
 }
 
 }  // namespace
+
+std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
+  std::map<std::string, std::string> texts;
+  if (place.empty()) {
+    for (const auto& [name, text] : host::embedded())
+      if (name.find("/exercises/") != name.npos && name.ends_with(".toml")) texts[name] = text;
+  } else if (std::filesystem::is_directory(place)) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
+      if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "scenes")
+        texts.emplace(entry.path(), text_of(entry.path()));
+  } else {
+    texts.emplace(place, text_of(place));
+  }
+  std::vector<Exercise> all;
+  for (const auto& [source, text] : texts) {
+    const Exercise e = learn::read_exercise(text, source, variant);
+    for (const Exercise& other : all)
+      if (other.id == e.id) throw InvalidInput(source + ": the id of " + other.source + ", too");
+    all.push_back(e);
+  }
+  if (all.empty()) throw InvalidInput("learn: no exercises in " + answers::shown_text(place));
+  return all;
+}
 
 Answer learn_by_exercises(const Request& request) {
   static const std::map<std::string, Answer (*)(const Request&)> actions{

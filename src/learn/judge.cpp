@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What is said to an answer.
 #include "equality/normal_form.hpp"
 #include "learn/terms.hpp"
 
@@ -75,7 +74,7 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
       terms.are_equal(given, -expected))
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
   const std::string closed =  // 1/(1+alpha) for 1/1+alpha
-      replaced(text, R"(/ *([\w.]+ *[-+] *[\w.]+))",
+      replaced(text, R"(/ *([\w.\x80-\xff]+ *([-+]|−) *[\w.\x80-\xff]+))",
                [](const Texts& part) { return "/(" + part[1] + ")"; });
   const auto is_right = [&] {
     Texts ignored;
@@ -107,7 +106,9 @@ char right_choice(const Exercise& e) {
   return letters[0];
 }
 
-Judgement judge_choice(const Exercise& e, const std::string& text) {
+Judgement judge_choice(const Exercise& e, std::string text) {
+  for (const std::string& choice : e.choices)  // in words, without the letter
+    if (text == choice) text = char('a' + (&choice - &e.choices[0]));
   const std::size_t first = std::min(text.find_first_not_of("( "), text.size() - 1);
   const std::size_t after = text.find_first_not_of(") .,:;", first + 1);  // (a), b., c
   const char letter = char(text[first] | 0x20);

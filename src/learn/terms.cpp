@@ -153,12 +153,9 @@ Expr Terms::answer() const {
 }
 
 std::string Terms::foreign(Expr term) const {
-  Texts names, shown;
-  for (const std::string& name : notation::symbols_of(term)) {
-    if (known.contains(name)) continue;
-    names.push_back(name);
-    shown.push_back(notation::typed_text(notation::symbol(name)));
-  }
+  Texts names;
+  for (const std::string& name : notation::symbols_of(term))
+    if (!known.contains(name)) names.push_back(name);
   if (names.empty()) return {};
   static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
                                            "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
@@ -166,7 +163,11 @@ std::string Terms::foreign(Expr term) const {
   std::string other = notation::alike(names[0], symbols);
   if (other.empty()) other = notation::parted(names[0], symbols);
   replace_all(other, " ", "*");
-  return answers::joined(shown) + (names.size() == 1 ? " has" : " have") + " no place here: " +
+  const auto shown = [](const std::string& name) {
+    return notation::typed_text(notation::symbol(name));
+  };
+  return answers::joined(answers::texts_of(names, shown)) + (names.size() == 1 ? " has" : " have") +
+         " no place here: " +
          (symbols.empty() ? "a number is asked for"
                           : "an answer may use " + answers::joined(exercise.symbols)) +
          (std::ranges::all_of(names, is_unit) ? ", without units" : "") +
@@ -257,7 +258,8 @@ Judgement Terms::mistake(Expr given, const std::string& otherwise) const {
 
 std::string Terms::quoted(const std::string& typed, Expr part) const {
   constexpr std::size_t longest = 80;
-  if (answers::shown_text(typed, longest) != typed) return notation::typed_text(part);
+  if (typed.size() > longest || typed.find_first_of("\t\n\v\f\r") != typed.npos)
+    return notation::typed_text(part);
   for (std::size_t size = 1; size <= typed.size(); ++size)
     for (std::size_t first = 0; first + size <= typed.size(); ++first) {
       const std::string some = typed.substr(first, size);

@@ -32,7 +32,7 @@ public:
   Judgement compare(Expr given, Expr expected) const;
   bool are_equal(Expr a, Expr b) const { return compare(a, b).mark == Mark::right; }
   Judgement mistake(Expr given, const std::string& otherwise) const;
-  /// The least of what was typed that has this part, where that is short and ASCII; or the part.
+  /// The least of what was typed that has this part, where that is short; or the part.
   std::string quoted(const std::string& typed, Expr part) const;
   equality::Domain domain(const std::set<std::string>& symbols) const;
 
