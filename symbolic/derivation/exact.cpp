@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forms without roots, for any field: all velocities from T_m = cos(m psi/2), which is found by
-// doubling the index.
+// Forms without roots, for any field: all velocities from T_m = cos(m psi/2), by doubling of m.
 #include "derivation/symbols.hpp"
 
 namespace derivation {
