@@ -68,6 +68,8 @@ private:
 
 Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
   AngleSums sums(bases);
+  Exprs canonical_bases;
+  for (const Expr& b : bases) canonical_bases.push_back(canonical(b));
   std::set<Expr> atoms;
   for (const Expr& t : terms)
     for (const auto& [monomial, q] : polynomial(t))
@@ -75,7 +77,7 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
         if (is_call(a, "cos") || is_call(a, "sin")) atoms.insert(a);
   Theorems rules;
   for (const Expr& a : atoms) {
-    if (std::ranges::any_of(bases, [&](Expr b) { return canonical(b) == a.arg(0); })) continue;
+    if (is_among(a.arg(0), canonical_bases)) continue;
     const auto multiples = sums.multiples_of(a.arg(0));
     if (!multiples) continue;
     const auto pair = sums.pair(*multiples);
@@ -83,8 +85,10 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
     rules.push_back(restate(eq(a, right(t)), t));
   }
   if (!circle) return rules;
-  for (const Expr& b : bases)
-    rules.push_back(solved_for(power(sin(b), 2), at("circle", {{real("x"), b}})));
+  for (const Expr& b : bases) {
+    rules.push_back(arithmetic(eq(power(sin(b), 2), 1 - power(cos(b), 2)),
+                               {.equations = {{1, at("circle", {{real("x"), b}})}}}));
+  }
   return rules;
 }
 Theorem same_angle(const Theorem& cosines, const Theorems& facts) {

@@ -9,7 +9,8 @@ namespace algebra {
 namespace {
 using GiNaC::ex;
 
-/// Kernel terms as GiNaC's and back: each atom is a symbol, a square root one of a known square.
+/// Kernel terms as GiNaC's and back: each atom is a symbol; a square root is one with its square
+/// known.
 class Translation {
 public:
   ex symbol_of(Expr atom) {

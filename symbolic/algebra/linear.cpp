@@ -7,7 +7,8 @@ namespace algebra {
 namespace {
 using cln::cl_RA;
 
-/// p > 0 or p >= 0, a combination of given rows: row 0 is the negated goal, row i the fact i - 1.
+/// p > 0 or p >= 0 with the combination of given rows that it is: row 0 is the negated goal, row i
+/// the fact i - 1.
 struct Row {
   Polynomial p;
   std::vector<cl_RA> of;
@@ -18,7 +19,7 @@ struct Row {
     return it == p.end() ? cl_RA(0) : it->second;
   }
   bool is_constant() const {
-    return p.empty() || p.rbegin()->first.empty();  // of no atoms, the first monomial
+    return std::all_of(p.begin(), p.end(), [](const auto& term) { return term.first.empty(); });
   }
 };
 Row combined(const Row& a, const cl_RA& x, const Row& b, const cl_RA& y) {
@@ -68,7 +69,8 @@ bool eliminate_unknown(std::vector<Row>& rows) {
   rows = rest;
   return true;
 }
-/// A row c that is false: -of[0] D + sum of facts = c gives D; if of[0] is 0, facts are absurd.
+/// A constant row that is false: of[0] (-D) + sum of facts = c, so D = (sum - c)/of[0]; with of[0]
+/// = 0 the facts contradict each other.
 Theorem from_contradiction(const Row& row, Expr goal, const Theorems& facts) {
   const bool absurd = row.of[0] == 0;
   const cl_RA scale = absurd ? cl_RA(1) : row.of[0];
@@ -124,13 +126,25 @@ Proof inequality(Expr goal, const Theorems& facts) {
   if (!less) return {};
   return restate(goal, next_integer(*less));
 }
+Proof equality(Expr goal, const Theorems& facts) {
+  const Expr l = goal.arg(0), r = goal.arg(1);
+  const Proof above = inequality(le(l, r), facts);
+  if (!above) return {};
+  const auto certificate = above->step().certificate;
+  if (certificate && certificate->products.empty() && above->step().rule == "arithmetic")
+    return arithmetic(goal, *certificate);
+  const Proof below = inequality(le(r, l), facts);
+  if (!below) return {};
+  return follows(goal, {*above, *below});
+}
 Proof relation(Expr goal, const Theorems& facts) {
-  if (goal.op() == Op::Eq) return combination(goal, facts);
+  if (goal.op() == Op::Eq) return equality(goal, facts);
   if (goal.op() != Op::Not) return inequality(goal, facts);
   const Expr equal = goal.arg(0);
   for (const Expr& less : {lt(equal.arg(0), equal.arg(1)), lt(equal.arg(1), equal.arg(0))})
     if (const Proof p = inequality(less, facts))
-      return refute(equal, *contradicted(lt(0, 0), {*p, assume(equal)}));
+      if (const Proof absurd = contradicted(lt(0, 0), {*p, assume(equal)}))
+        return refute(equal, *absurd);
   return {};
 }
 
@@ -205,15 +219,8 @@ struct Deeper {
 };
 }  // namespace
 
-Proof combination(Expr equation, const Theorems& facts) {
-  const Expr l = equation.arg(0), r = equation.arg(1);
-  const Proof above = inequality(le(l, r), facts);
-  if (!above) return {};
-  const auto certificate = above->step().certificate;
-  if (certificate && certificate->products.empty() && above->step().rule == "arithmetic")
-    return arithmetic(equation, *certificate);
-  const Proof below = inequality(le(r, l), facts);
-  return below ? follows(equation, {*above, *below}) : below;
+Proof combination(Expr equation, const Theorems& equations) {
+  return equality(equation, equations);
 }
 Proof linear_if(Expr goal, const Theorems& given_facts) {
   Theorems facts;
@@ -225,13 +232,15 @@ Proof linear_if(Expr goal, const Theorems& given_facts) {
   const Deeper deeper;
   Occurring occurring(gap(goal), facts);
   if (const Proof p = relation(goal, occurring.facts)) return p;
-  Theorems more = known();
+  const Theorems all_known = known();
+  std::vector<bool> taken(all_known.size(), false);
   for (int round = 0; round < 2; ++round) {
-    std::erase_if(more, [&](const Theorem& t) {
-      const bool takes = is_relation(t.conclusion()) && occurring.shares_an_atom(gap(t));
-      if (takes) occurring.add(t);
-      return takes;
-    });
+    for (std::size_t i = 0; i < taken.size(); ++i) {
+      const Theorem& t = all_known[i];
+      if (taken[i] || !is_relation(t.conclusion()) || !occurring.shares_an_atom(gap(t))) continue;
+      taken[i] = true;
+      occurring.add(t);
+    }
     if (const Proof p = relation(goal, occurring.facts)) return p;
   }
   return {};

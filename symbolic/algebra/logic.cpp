@@ -29,10 +29,7 @@ Known::Known(const Theorems& facts) : before(all_known()) {
   for (const Theorem& t : facts) know(t);
 }
 Known::~Known() { all_known() = before; }
-Theorem know(const Theorem& fact) {
-  all_known().here = all_known().here + parts({fact});
-  return fact;
-}
+void know(const Theorem& fact) { all_known().here = all_known().here + parts({fact}); }
 void know_for_good(const Theorem& fact) {
   all_known().for_good = all_known().for_good + parts({fact});
 }

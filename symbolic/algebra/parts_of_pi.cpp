@@ -47,19 +47,22 @@ PartOfPi fifth() {
 /// 2 pi/5 - pi/3
 PartOfPi fifteenth() {
   const PartOfPi a = fifth(), b = third();
-  const Expr t = pi() / 15;
-  const auto is = [&](Expr part, Expr of_difference) {
-    Theorem sum = at(angles({of_difference}, {x, y}, false)[0], {{x, pi() / 5}, {y, pi() / 3}});
-    for (const Theorem& rule : {a.cosine, a.sine, b.cosine, b.sine}) sum = rewrite(rule, sum);
+  const Expr p = 2 * pi() / 5, q = pi() / 3, t = pi() / 15;
+  const Theorems twice = angles({cos(p), sin(p)}, {pi() / 5}, false);
+  const auto is = [&](Expr part, Expr of_difference, Expr in_both) {
+    Theorem sum = at(equation(of_difference, in_both, {}, {x, y}), {{x, p}, {y, q}});
+    for (const Theorem& rule : twice + Theorems{a.cosine, a.sine, b.cosine, b.sine})
+      sum = rewrite(rule, sum);
     return restate(eq(part, right(sum)), sum);
   };
-  const Theorem cosine = is(cos(t), cos(2 * x - y));
+  const Theorem cosine = is(cos(t), cos(x - y), cos(x) * cos(y) + sin(x) * sin(y));
+  const Theorem sine = is(sin(t), sin(x - y), sin(x) * cos(y) - cos(x) * sin(y));
   const Theorems signs = a.signs + b.signs;
   const Expr five = sqrt(Expr(5)), inner = 30 + 6 * five;
   const Theorem root = root_is(inner, 4 * sqrt(Expr(3)) * five / sqrt(10 - 2 * five), signs);
   const Theorem simpler =
       equation(right(cosine), (five - 1 + sqrt(inner)) / 8, signs + Theorems{root});
-  return {chain(cosine, simpler), is(sin(t), sin(2 * x - y)), signs};
+  return {chain(cosine, simpler), sine, signs};
 }
 /// 2 cos(t) is the root of 2 + 2 cos(2t), sin(t) is sin(2t)/(2 cos(t)).
 PartOfPi halved(Expr t, const PartOfPi& twice) {
@@ -70,9 +73,10 @@ PartOfPi halved(Expr t, const PartOfPi& twice) {
   const Theorem is = root(rewrite(cosine_of_2t, square), 2 * cos(t), signs);
   const Theorem cosine = linear(eq(cos(t), left(is) / 2), {is});
   const Theorem product = equation(sin(2 * t), 2 * cos(t) * sin(t), {}, {t});
-  const Theorem sine =
-      equation(sin(t), right(twice.sine) / (2 * cos(t)),
-               {solved_for(sin(t) * cos(t), product), sine_of_2t, positive(cos(t))});
+  const Theorem sine = certified(eq(sin(t), right(twice.sine) / (2 * cos(t))),
+                                 {.equations = {{-1, product}, {1, sine_of_2t}},
+                                  .multipliers = {positive(2 * cos(t))},
+                                  .nonzero = {positive(cos(t))}});
   return {cosine, rewrite(cosine, sine), signs};
 }
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Tactics, which nobody trusts: each finds a proof that the kernel checks, or throws Refused.
+// Tactics: each finds a proof that the kernel then checks, so that nothing here is trusted;
+// Refused where there is none.
 #pragma once
 
 #include "kernel/polynomial.hpp"
@@ -45,7 +46,7 @@ struct AllKnown {
   Theorems for_good, here;
 };
 void know_for_good(const Theorem& fact);
-Theorem know(const Theorem& fact);  ///< returns it
+void know(const Theorem& fact);
 /// Knows the assumptions, and forgets what `know` said.
 void suppose(const Exprs& assumptions);
 Theorems known();
@@ -69,7 +70,8 @@ inline bool is_relation(Expr f) { return f.op() == Op::Eq || f.op() == Op::Lt ||
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f
 Theorem refute(Expr f, const Theorem& absurd);
-/// 0 <= n |- f by induction: f at 0, and a proof of f at n + 1 that may use f and knows 0 <= n.
+/// 0 <= n |- f by induction, from f at 0 and from a proof of f at n + 1 that may use f; 0 <= n is
+/// known in it.
 Theorem by_induction(Expr n, Expr f, const Theorem& base,
                      const std::function<Theorem(const Theorem&)>& step);
 /// The same where `equation` shows f at 0 from `start` and at n + 1 from `next` and f.
@@ -124,7 +126,8 @@ Theorem root_is(Expr x, Expr t, const Theorems& facts = {});
 /// to another) as a linear combination of `facts` (=, <, <=), each monomial an unknown; the
 /// combination is found by Fourier's and Motzkin's elimination. Where they do not suffice: with
 /// what is known, d/d = 1, squares of roots, the axioms of pi, ceilings and arctangents, i < j as i
-/// + 1 <= j for integers, and the sign of the gap as `positive` sees it.
+/// + 1 <= j for integers, and the sign of the gap as `positive` sees it. Throws Refused where there
+/// is none.
 Theorem linear(Expr goal, const Theorems& facts = {});
 /// `goal` from `relation`, which `linear` shows, times a positive factor.
 Theorem scaled(Expr goal, Expr relation, Expr factor, const Theorems& facts = {});
@@ -138,8 +141,9 @@ std::optional<Theorem> linear_if(Expr goal, const Theorems& facts);
 // Signs of terms from their shape.
 /// |- 0 < l from l = r, where that shows 0 < r.
 Theorem positive(const Theorem& is, const Theorems& facts = {});
-/// |- 0 < t: sums, products, powers, quotients, roots and arctangents of positive terms, sines of
-/// angles below pi, cosines of those below pi/2; `facts`, what is known and `linear` say the rest.
+/// |- 0 < t: numbers, sums, products, powers, quotients, roots, pi and arctangents of positive
+/// terms, sines of angles below pi, cosines of those below pi/2; `facts`, what is known and
+/// `linear` say the rest. Throws Refused where nothing shows it.
 Theorem positive(Expr t, const Theorems& facts = {});
 /// |- 0 <= t
 Theorem not_negative(Expr t, const Theorems& facts = {});
@@ -171,11 +175,14 @@ Theorem cosine_falls(const Theorem& less, const Theorems& facts = {});
 Theorem sine_not_negative(Expr t, const Theorems& facts = {});
 
 // GiNaC solves, multiplies out and factors. What it says is a proposal that the kernel certifies,
-// so a mistake of GiNaC's is a proof that is not found. No result depends on its order of terms.
-/// The unknowns from equations that are linear in them (after denominators are cleared), in their
-/// order, each as `simplified` with `collect`. Throws Refused where there is not just one solution.
+// so a mistake of GiNaC's is a proof that is not found. Results do not depend on GiNaC's order of
+// terms, which changes from run to run.
+/// The unknowns from equations that are linear in them (after denominators are cleared), in the
+/// order of `unknowns`, each as `simplified` with `collect`. Throws Refused where there is not
+/// exactly one solution.
 Exprs solve(const Exprs& equations, const Exprs& unknowns, const Exprs& collect = {});
-/// A quotient of products of powers, no root in the denominator; sums are collected by the atoms in
-/// `collect`. All but +, *, powers, quotients and square roots is an atom. Matrices by entries.
+/// A quotient of products of powers, roots out of the denominator; sums are collected by the atoms
+/// in `collect`. Everything but +, *, powers, quotients and square roots is an atom. Matrices
+/// entry by entry.
 Expr simplified(Expr term, const Exprs& collect = {});
 }  // namespace algebra

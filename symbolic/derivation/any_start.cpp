@@ -1,99 +1,9 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Three bodies from any start: how fast they approach, and how often they collide.
+// Three bodies from any start: how fast they approach, how often they collide, when and where.
 #include "derivation/wedge.hpp"
 
 namespace derivation {
 namespace {
-/// The approach speed before collision j, and its recurrence.
-void recurrence(Book& book, const Theorems& motion) {
-  const Theorems turns = parts({book["cycle.turn"]});
-  const Theorem square = book["cycle.turn_squared"];
-  const Theorem definition =
-      book.name("nearing", any_start() + Exprs{j},
-                is_P(j) * (any_velocity("A", j) - any_velocity("C", j)) +
-                    is_Q(j) * (any_velocity("C", j) - any_velocity("B", j)),
-                of_wedge({le(0, j)}), "Before collision j its two bodies approach with the speed",
-                "", "closing");
-  Theorems step{definition, at(turns[1]), square};
-  for (std::size_t i = 3; i < 6; ++i) step.push_back(at(motion[i]));
-  const Expr next = j + 1, from_P = (1 + e) / (M_A + M_C), from_Q = (1 + e) / (1 + w_B * M_C);
-  Theorems changes;
-  for (const auto& [body, share] :
-       {std::pair{"A", -(is_P(j) * (M_C * from_P))}, std::pair{"B", is_Q(j) * (w_B * M_C * from_Q)},
-        std::pair{"C", is_P(j) * (M_A * from_P) - is_Q(j) * from_Q}})
-    changes.push_back(
-        equation(any_velocity(body, next), any_velocity(body, j) + share * nearing(j), step));
-  book.show("changes", "which changes velocities by shares of it:", both(changes));
-  const Theorem closes = at(definition, {{j, next}});
-  const auto other = [&](Expr i) {  // of the two that collide next
-    return is_Q(i) * (any_velocity("A", i) - any_velocity("C", i)) +
-           is_P(i) * (any_velocity("C", i) - any_velocity("B", i));
-  };
-  const Theorem parting = book.show("parting", "They part e times as fast as they approached:",
-                                    equation(other(next), -e * nearing(j), step));
-  const auto share = [](Expr i) {
-    return is_P(i) * (M_A / (M_A + M_C)) + is_Q(i) * (1 / (1 + w_B * M_C));
-  };
-  const Theorem gain =
-      equation(nearing(next), other(j) + (1 + e) * share(j) * nearing(j), step + Theorems{closes});
-  const Theorems start{motion[0], motion[1], motion[2], turns[0], at(definition, {{j, 0}})};
-  const Theorem second = equation(nearing(Expr(0) + 1), W + (1 + e) * (M_A / (M_A + M_C)) * V,
-                                  Theorems{at(gain, {{j, 0}})} + start);
-  book.show("first", "The first two speeds are",
-            both({equation(nearing(0), V, start), restate(eq(nearing(1), right(second)), second)}));
-  const auto carried = [&](Expr i) {  // the momentum, times w_B
-    return w_B * (M_A * any_velocity("A", i) + M_C * any_velocity("C", i)) + any_velocity("B", i);
-  };
-  const Theorem momentum =
-      book.show("momentum", "Momentum is kept, if there is no wall:",
-                by_induction(j, eq(carried(j), any_momentum()),
-                             equation(carried(0), any_momentum(), start), [&](const Theorem& now) {
-                               return chain(equation(carried(next), carried(j), changes), now);
-                             }));
-  // The two speeds after collision j, by the one before it and the one before the next.
-  const Theorem parts_with = solved_for(e * nearing(j), parting);
-  const Expr A = any_velocity("A", next), B = any_velocity("B", next), C = any_velocity("C", next);
-  const Expr of_A = nearing(next) - e * nearing(j), all = mass_of_all();
-  const Expr of_B = is_Q(next) * nearing(next) - is_P(next) * (e * nearing(j));
-  const Theorem A_B = book.show("A_B", "After collision j the velocities of A and B differ by",
-                                linear(eq(A - B, of_A), {closes, parting}));
-  const Theorem C_B =
-      book.show("C_B", "those of C and B by",
-                equation(C - B, of_B, {closes, parts_with, at(square, {{j, next}})}));
-  const Expr given_off = any_momentum() - w_B * (M_A * of_A + M_C * of_B);
-  const Theorem of_one = rewrite(solved_for(A, A_B), at(momentum, {{j, next}}));
-  const Theorem whole = linear(eq(B * all, given_off), {rewrite(solved_for(C, C_B), of_one)});
-  book.show("B_velocity", "and B has", divided(B, all, whole));
-  book.show("recurrence", "and each one follows from two before:",
-            linear(eq(nearing(j + 2), (1 + e) * share(next) * nearing(next) - e * nearing(j)),
-                   {at(gain, {{j, next}}), parting}));
-}
-/// The motion, collision by collision.
-void sequence(Book& book) {
-  const Exprs of_masses{right(book["restitution.v_1"]), right(book["restitution.v_2"])};
-  const auto of_A = [&](std::size_t body, Expr u, Expr other) {
-    return substitute(of_masses[body], {{M_1, M_A}, {M_2, M_C}, {u_1, u}, {u_2, other}});
-  };
-  const auto of_B = [&](std::size_t body, Expr u, Expr other) {
-    const Expr v = replace(right(part(book["restitution.inverse_mass"], body)), 1 / M_2, w_B);
-    return substitute(v, {{M_1, M_C}, {u_1, u}, {u_2, other}});
-  };
-  const Expr P = is_P(j), Q = is_Q(j);
-  const auto next = [&](const Exprs& before) {
-    const Expr A = before[0], B = before[1], C = before[2];
-    return Exprs{P * of_A(0, A, C) + Q * A, P * B + Q * of_B(1, C, B),
-                 P * of_A(1, A, C) + Q * of_B(0, C, B)};
-  };
-  const Theorems motion = defined_by_recursion({"any_A", "any_B", "any_C"}, any_start(), j,
-                                               of_wedge({le(0, j)}), {V + W, 0, W}, next);
-  book.show("start",
-            "At the start A approaches the ball with V and the ball B with W, seen from B; w_B is "
-            "1/M_B for a block and 0 for a wall:",
-            both({motion[0], motion[1], motion[2]}));
-  book.show("next", "Collision j is one of A and C, or of C and B, by turns:",
-            both({motion[3], motion[4], motion[5]}));
-  recurrence(book, motion);
-}
 void closed_form(Book& book, const Theorem& r_e_is) {
   const Theorems pow_is = parts({at(book["multiples.pow"], {{y, sqrt(e)}})});
   const Theorems turns = parts({book["cycle.turn"]});
@@ -126,8 +36,8 @@ void number(Book& book) {
       book.define("phase_e", any_start(), pi() / 2 - tilt, domain,
                   "Where kappa is below 1 and A approaches the ball, with the angle");
   const Expr phase = left(is), length = sqrt(1 + power(slope, 2));
-  know(positive(length));
   const auto angle = [&](Expr i) { return phase + (i - 1) * h; };
+  know(positive(length));
   const auto turned_by = [&](Expr value, const char* axiom, Expr over) {
     return rewrite(turned(is),
                    equation(value, over / length, {at(axiom, {{x, slope}})}, {pi() / 2, tilt}));
@@ -146,11 +56,165 @@ void number(Book& book) {
   know(both({linear(lt(0, phase), {is}), linear(lt(0, pi() - phase), {is})}));
   count(book, {"N_any", any_start(), domain, nearing, angle, h, (pi() - phase) / h + 1, sign});
 }
+/// Of a theorem of V and W that of d_A and d_B.
+Theorem of_distances(const Theorem& theorem) { return at(theorem, start_with(d_A, d_B)); }
+/// The motion as straight lines, which each collision turns.
+void line(Book& book) {
+  const Known here;
+  const Exprs with_distances = any_start() + Exprs{d_A, d_B};
+  const auto by_distances = [](Expr t) { return substitute(t, start_with(d_A, d_B)); };
+  const auto twice = [](const Theorem& t) { return parts({t, of_distances(t)}); };
+  Theorems lines;
+  for (const std::string body : {"A", "B", "C"}) {
+    const Expr v = any_velocity(body, j);
+    lines.push_back(defined("place_" + body, with_distances + Exprs{tau, j},
+                            tau * v - by_distances(v), of_wedge({le(0, j)})));
+  }
+  book.show("linear",
+            "Places are lines in time, and a line begins where it would be a velocity for the "
+            "distances d_A and d_B at the start in place of V and W: after j collisions the bodies "
+            "are at a time tau, seen from B's first place, at",
+            both(lines));
+  const Theorem going = assume(lt(0, nearing(j)));
+  know(going);
+  const Theorem when =
+      book.name("instant", with_distances + Exprs{j}, by_distances(nearing(j)) / nearing(j),
+                of_wedge({le(0, j), lt(0, e), going.conclusion()}),
+                "and collision j takes place at the time");
+  const Expr T = left(when);
+  const Theorem meets = equation(T * nearing(j), by_distances(nearing(j)), {when});
+  const auto place = [&](std::size_t i) { return substitute(left(lines[i]), {{tau, T}}); };
+  const auto with = [&](const char* id) { return twice(book[std::string("any_start.") + id]); };
+  Theorems there;
+  for (const Theorem& is : lines) there.push_back(at(is, {{tau, T}}));
+  const Expr A = place(0), B = place(1), C = place(2);
+  const Expr ahead = by_distances(nearing(j)) - T * nearing(j);
+  book.show("met", "where its bodies are at one place,",
+            chain(equation(is_P(j) * (C - A) + is_Q(j) * (B - C), ahead, there + with("closing")),
+                  equation(ahead, 0, {meets})));
+  Theorems moves, goes_on;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Theorem next = at(lines[i], {{j, j + 1}});
+    const Expr moved = place(i) + right(next).arg(0).arg(1) * (tau - T);
+    moves.push_back(equation(left(next), moved, there + with("changes") + Theorems{next, meets}));
+    goes_on.push_back(chain(solved_for(place(i), at(moves[i], {{tau, T}})), at(next, {{tau, T}})));
+  }
+  book.show("goes_on", "from which all move on with their next velocities:", both(moves));
+
+  const Theorem sign = book["any_start.takes_place"], speed_is = book["any_start.speed"];
+  know(tautology(lt(0, swing(j)), {sign, going}));
+  Theorems facts{when, part(at(book["chebyshev.last"], {{x, kappa()}}), 1),
+                 solved_for(power(U(j), 2), at(book["chebyshev.neighbours"], {{x, kappa()}}))};
+  for (const Theorem& is : {speed_is, at(speed_is, {{j, j + 1}})}) facts = facts + twice(is);
+  for (const Theorem& is : with("A_B")) facts.push_back(solved_for(left(is).arg(0), is));
+  know(at(book["wedge.signs"], {{j, j + 1}}));
+  const Expr in_order = V * d_B - W * d_A;
+  const Theorem apart =
+      book.show("apart", "The blocks are then so far apart:",
+                equation(B - A, root_power(j + 1) * side(j + 1) * r_e() * in_order / swing(j),
+                         goes_on + facts));
+  const Theorem next_going = assume(lt(0, nearing(j + 1))), ordered = assume(le(0, in_order));
+  know(next_going);
+  const Expr next_T = substitute(T, {{j, j + 1}}), wait = next_T - T;
+  const Theorem met = book["any_start.met"];
+  Theorems here_and_next = goes_on + Theorems{at(meets, {{j, j + 1}})};
+  for (const Theorem& t : with("closing")) here_and_next.push_back(at(t, {{j, j + 1}}));
+  here_and_next.push_back(at(part(book["cycle.turn"], 1)));
+  const Theorem waited = equation(wait * nearing(j + 1), B - A - left(met), here_and_next);
+  const Theorem wait_is =
+      divided(wait, nearing(j + 1), linear(eq(wait * nearing(j + 1), B - A), {waited, met}));
+  book.show(
+      "later", "so that, if A meets the ball first, collisions come one after the other:",
+      linear(le(T, next_T),
+             {wait_is, times(linear(le(0, B - A), {apart, not_negative(right(apart), {ordered})}),
+                             1 / nearing(j + 1))}));
+}
+/// Where kappa is 1 or more, and B does not run away too fast.
+void collapse_from_any_start(Book& book) {
+  const Theorem from_1 = assume(le(1, kappa()));
+  know(from_1);
+  const auto of_collapse = [&](const char* id) { return cut(from_1, book[id]); };
+  know(of_collapse("collapse.root"));
+  const Expr y_e = left(of_collapse("collapse.y_e")), at_end = V + W * r_e() * y_e;
+  const Theorem gap = part(of_collapse("collapse.neighbours"), 0);
+  const Theorems rise = parts({at(book["chebyshev.rise"], {{x, kappa()}})});
+  know(linear(lt(0, U(j)), rise));
+  const Exprs endless = of_wedge({lt(0, e), le(1, kappa())});
+  const Theorem speed =
+      book.define("end_speed", any_start(), at_end, endless, "Where kappa is 1 or more, with");
+  // y_e (swing - r U) = (V - r) y_e^(j+1) + (end_speed - r) U_last
+  const Expr r = real("r");
+  const Theorems least{assume(lt(0, r)), assume(le(r, V)), assume(le(r, left(speed)))};
+  know(both(least));
+  const Theorem above =
+      arithmetic(le(r * U(j), swing(j)),
+                 {.equations = {{r - V, gap}, {U_last(j), speed}},
+                  .products = {{1, {least[1], part(of_collapse("collapse.neighbours"), 1)}},
+                               {1, {least[2], linear(le(0, U_last(j)), rise)}}},
+                  .multipliers = {positive(y_e)}});
+  const Theorem rises = book.show("rises", "as long as B does not run away too fast the sum rises,",
+                                  linear(le((j + 1) * r, swing(j)), {above, times(rise[0], r)}));
+  const Theorem rising = linear(lt(0, swing(j)), {above, positive(r * U(j))});
+  know(rising);
+  const Theorem closes =
+      book.show("never_ends", "so that the collisions never end:",
+                tautology(lt(0, nearing(j)), {book["any_start.takes_place"], rising}));
+  know(closes);
+  const Theorem stays = assume(le(W, 0)), over = assume(le(swing(j), 0));
+  const Theorem next = at(book["chebyshev.rise"], {{x, kappa()}, {j, j + 1}});
+  const Theorem turns =
+      equation(swing(j + 1) * U(j), U(j + 1) * swing(j) + W * r_e(),
+               {part(at(book["chebyshev.last"], {{x, kappa()}}), 1),
+                solved_for(power(U(j), 2), at(book["chebyshev.neighbours"], {{x, kappa()}}))});
+  const Theorem ended =
+      scaled(le(swing(j + 1), 0), le(swing(j + 1) * U(j), 0), 1 / U(j),
+             {turns, times(over, linear(lt(0, U(j + 1)), {next})), times(stays, r_e())});
+  const Theorem sign = book["any_start.takes_place"];
+  book.show("once", "If C does not approach B at first, what has ended does not begin again:",
+            follows(imp(le(nearing(j), 0), le(nearing(j + 1), 0)),
+                    {sign, at(sign, {{j, j + 1}}), discharge(over.conclusion(), ended)}));
+  const Exprs ending = endless + Exprs{lt(0, left(speed))};
+  const Names names{book, any_start() + Exprs{d_A, d_B}, ending};
+  know(linear(lt(0, left(speed)), least));
+  const Theorem time =
+      names.name("t_any", (d_A + d_B * r_e() * y_e) / left(speed), "There is a time");
+  const auto shown = [&](const char* id, const char* words, const Theorem& theorem) {
+    book.show(id, words, under(endless, theorem));
+  };
+  const Theorem when = cut(closes, book["any_start.instant"]), speed_is = book["any_start.speed"];
+  const Expr in_order = V * d_B - W * d_A;
+  shown(
+      "time_left", "before which all of them take place,",
+      equation(left(time) - left(when), r_e() * in_order * right(gap) / (left(speed) * swing(j)),
+               {time, when, speed, speed_is, of_distances(speed_is), solved_for(U_last(j), gap)}));
+  const Theorem apart = cut(closes, book["any_start.apart"]), ordered = assume(le(0, in_order));
+  const Expr D = left(apart), bound = root_power(j + 1) * side(j + 1) * r_e() * in_order;
+  know(at(book["wedge.signs"], {{j, j + 1}}));
+  const Theorem is_near = linear(le(0, D), {apart, not_negative(right(apart), {ordered})});
+  const Theorem weighed =
+      arithmetic(eq(D * swing(j), bound),
+                 {.equations = {{swing(j), apart}, {1, equation(right(apart) * swing(j), bound)}}});
+  shown("come_together", "and the blocks come arbitrarily close to each other,",
+        linear(le((j + 1) * r * D, bound), {times(rises, is_near), weighed}));
+  const auto centre = [&](Expr A, Expr C) { return w_B * (M_A * A + M_C * C) / mass_of_all(); };
+  const Theorem x_is =
+      names.name("x_any", centre((V + W) * left(time) - d_A - d_B, W * left(time) - d_B),
+                 "with the ball between them: at the centre of mass, or at the wall,");
+  const Theorem v_is =
+      book.define("v_any", any_start(), centre(V + W, W), of_wedge({}), "which moves with");
+  const Theorem kept = solved_for(any_velocity("B", j), book["any_start.momentum"]);
+  const Theorems places = parts({book["any_start.linear"]});
+  const Expr x_A = left(places[0]), x_B = left(places[1]), x_C = left(places[2]);
+  const Expr moved = left(x_is) + left(v_is) * (tau - left(time));
+  book.show("centre", "evenly, all the time:",
+            under(ending, equation(w_B * (M_A * x_A + M_C * x_C) + x_B, mass_of_all() * moved,
+                                   places + Theorems{x_is, v_is, kept, of_distances(kept)})));
+}
 }  // namespace
 
 void from_any_start(Book& book) {
   book.chapter("any_start", "Three bodies from any start", of_wedge({le(0, j), lt(0, e)}));
-  sequence(book);
+  sequences(book);
   know(at(book["wedge.signs"], {{j, 0}}));
   const Theorem r_e_is =
       book.define("r_e", masses_and_e(), r_B() / (r_A() * sqrt(e)), of_wedge({lt(0, e)}),
@@ -158,5 +222,7 @@ void from_any_start(Book& book) {
   know(positive(r_e_is));
   closed_form(book, r_e_is);
   number(book);
+  line(book);
+  collapse_from_any_start(book);
 }
 }  // namespace derivation

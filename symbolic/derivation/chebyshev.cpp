@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Chebyshev's polynomials of the second kind, U_j: sines at a cosine, never falling at 1 or more.
+// Chebyshev's polynomials of the second kind, U_j: sines where their argument is a cosine, never
+// falling where it is 1 or more.
 #include "derivation/wedge.hpp"
 
 namespace derivation {
@@ -76,10 +77,11 @@ void chebyshev(Book& book) {
   const Theorem scaled =
       by_induction(j, eq(pow(j) * U_x(j), 1 + y * pow(j) * last(j)), {first, def[1], powers[0]},
                    {after, last_after, root, at(powers[1])});
+  const Theorem apart =
+      equation(pow(j) * U_x(j) - pow(j) * last(j) / y, power(pow(j), 2), {before, at(powers[1])});
   book.show("unit", "In these powers as the unit they stay near 1:",
             both({scaled, linear(eq((1 / y - y) * pow(j) * last(j), 1 - power(pow(j), 2)),
-                                 {scaled, equation(pow(j) * U_x(j) - pow(j) * last(j) / y,
-                                                   power(pow(j), 2), {before, at(powers[1])})})}));
+                                 {scaled, apart})}));
   book.show("steps", "At 1 they are",
             by_induction(j, logic_and({eq(U(j, 1), j + 1), eq(fun("U_last", {Expr(1), j}), j)}),
                          {at(first, {{x, 1}}), at(def[1], {{x, 1}})},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What makes a block's last collision the last; both counts from pi/psi's whole part and the rest.
+// What makes the last collision of a block its last one; both counts from the whole part of pi/psi
+// and the rest.
 #include "derivation/symbols.hpp"
 
 namespace derivation {
@@ -7,10 +8,10 @@ namespace {
 Expr floor(Expr t) { return fun("floor", {t}); }
 Expr sawtooth(Expr t) { return fun("sawtooth", {t}); }
 
-/// The last collision of a block, of which there are `count`.
+/// The last collision of a block, of which there are `count` = ceil(pi/psi - shift).
 struct Last {
   std::string name, label, approach;
-  Expr count, before, after;  // angles before and after it, in units of psi
+  Expr count, shift, before, after;  // angles before and after it, in units of psi
   Expr faster_before, slower_before, faster_after, slower_after;
 };
 void last_collision(Book& book, const Last& last) {
@@ -77,9 +78,9 @@ void two_cases(Book& book) {
 void constraints(Book& book) {
   book.chapter("constraints", "The last collisions", {alpha_positive, V_positive});
   const Expr half = rational(1, 2);
-  last_collision(book, {"N_A", "eq:NA-constraint", "before_P", N_A(), N_A() - half, N_A() + half,
-                        a(N_A() - 1), c_prime(N_A() - 1), a(N_A()), c_prime(N_A())});
-  last_collision(book, {"N_B", "eq:NB-constraint", "before_Q", N_B(), N_B(), N_B() + 1, c(N_B()),
+  last_collision(book, {"N_A", "eq:NA-constraint", "before_P", N_A(), half, N_A() - half,
+                        N_A() + half, a(N_A() - 1), c_prime(N_A() - 1), a(N_A()), c_prime(N_A())});
+  last_collision(book, {"N_B", "eq:NB-constraint", "before_Q", N_B(), 1, N_B(), N_B() + 1, c(N_B()),
                         b(N_B() - 1), c(N_B() + 1), b(N_B())});
   whole_part(book);
   two_cases(book);

@@ -53,13 +53,15 @@ void shares(Book& book) {
   know_for_good(book.show("at_least", "each at least once:",
                           linear(logic_and({le(1, N_A()), le(1, N_B())}),
                                  {def_A, def_B, linear(le(2, N()), {enough, number})})));
+  const Theorem N_up = linear(le(2 * z - 1, N()), {number});
+  const Theorem N_down = linear(lt(N(), 2 * z), {number});
   // K = ceil(z - 1/2): 2K - 2 < N < 2K + 1, so K - 1 < N/2 <= K.
   const Expr K = ceil(z - rational(1, 2)), L = ceil(z - 1);
   book.show("N_A", "eq:NA-ans", "that is, for A",
-            linear(eq(N_A(), K),
-                   {def_A, linear(logic_and({le(2 * K - 1, N()), le(N(), 2 * K)}), {number})}));
+            linear(eq(N_A(), K), {def_A, linear(logic_and({le(2 * K - 1, N()), le(N(), 2 * K)}),
+                                                {N_up, N_down})}));
   // L = ceil(z - 1): 2L - 1 < N < 2L + 2. If N = 2L then N_A = L, if N = 2L + 1 then N_A = L + 1.
-  const Theorem around = linear(logic_and({le(2 * L, N()), le(N(), 2 * L + 1)}), {number});
+  const Theorem around = linear(logic_and({le(2 * L, N()), le(N(), 2 * L + 1)}), {N_up, N_down});
   book.show("N_B", "eq:NB-ans", "and for B", linear(eq(N_B(), L), {def_A, def_B, around}));
 }
 }  // namespace
@@ -107,12 +109,13 @@ void counting(Book& book) {
       linear(le(sin(x), 0), {back, sine_not_negative(x - pi(), {from_pi, to_end})});
   book.show("sine_past_pi", "The sine from pi to 2 pi:",
             discharge(from_pi.conclusion(), discharge(to_end.conclusion(), past_pi)));
+  const Theorem speed = approach_speed(book);
   const Expr sine = sin(half_angle(j + 1));
-  const Theorem sign = book.show(
-      "takes_place",
-      "Collision j takes place if and only if its bodies approach before it, so if "
-      "and only if the sine is positive:",
-      same_sign(iff(lt(0, approach(j)), lt(0, sine)), V / sin(psi() / 2), {approach_speed(book)}));
+  const Theorem sign =
+      book.show("takes_place",
+                "Collision j takes place if and only if its bodies approach before it, so if "
+                "and only if the sine is positive:",
+                same_sign(iff(lt(0, approach(j)), lt(0, sine)), V / sin(psi() / 2), {speed}));
   const Exprs domain{alpha_positive, V_positive};
   count(book, {"N", {alpha, V}, domain, approach, half_angle, psi(), 2 * pi() / psi(), sign});
   shares(book);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Newton's cradle: equal blocks, balls of magic ratios, and the room that each leaves for the next.
+// Newton's cradle of the paper: equal blocks with balls of magic ratios between them, and how much
+// room each ball must leave for the one before it.
 #include "derivation/wedge.hpp"
 
 namespace derivation {
@@ -26,10 +27,11 @@ void last_collision(Book& book) {
   const Theorem apart = shown("encounters.apart", L);
   book.show("last", "the last of them when and where", both({when, apart}));
   // Where B is: from the centre of mass, as it is with the ball and at a distance L from A.
-  const Theorem going = know(at_last("encounters.going"));
+  const Theorem going = at_last("encounters.going");
   const auto lossless_at_last = [&](const char* id) {
     return cut(going, for_blocks(book[id], {{e, 1}, {j, last}}));
   };
+  know(going);
   const auto there = [&](const char* name) { return in_paper(at_collision(name, last)); };
   const Expr x_B = there("x_B"), x_C = there("x_C"), time = there("time");
   const Theorem names = at_last("encounters.definitions");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The motion: one sequence of all collisions, what each keeps, and a cycle's matrix Lambda.
+// The motion: one sequence of all collisions, P_1, Q_1, P_2, ...; what each one keeps, and the
+// matrix Lambda of a cycle: V_n = Lambda V_(n-1).
 #include "derivation/symbols.hpp"
 
 namespace derivation {
@@ -73,7 +74,8 @@ void conservation(Book& book, const Theorems& steps) {
             "and at Q_n:", proved(eq(b(n - 1) - c(n), -b(n) + c_prime(n))));
 }
 
-/// No other motion obeys the law: velocities v after such a collision are the next ones.
+/// No other motion obeys the law: velocities v that a collision of the kind leads to are the next
+/// ones.
 void uniqueness(Book& book) {
   const auto only = [&](Expr u, Expr w, const Theorem& next) {
     const Theorem law = instantiate(book["ball.velocities"], {{u_1, u}, {u_2, w}});
@@ -118,13 +120,15 @@ void cycle(Book& book) {
             equation(logic_and({eq(a(0), V), eq(b(0), 0), eq(c_prime(0), 0)}), starts));
   book.show("B_waits", "P_n leaves B alone,", equation(B(2 * n - 1), b(n - 1), all_steps + names));
   const Theorems rules = definitions + Theorems{def_c} + all_steps + names;
-  const auto show = [&](const char* id, const char* words, Expr u, Expr w, Expr block, Expr ball) {
-    book.show(
-        id, words,
-        equation(logic_and({eq(block, collide.block(u, w)), eq(ball, collide.ball(u, w))}), rules));
-  };
-  show("P", "After P_n:", a(n - 1), c_prime(n - 1), a(n), c(n));
-  show("Q", "After Q_n:", b(n - 1), c(n), b(n), c_prime(n));
+  const Expr A_before = a(n - 1), B_before = b(n - 1), C_before = c_prime(n - 1), C_within = c(n);
+  book.show("P", "After P_n:",
+            equation(logic_and({eq(a(n), collide.block(A_before, C_before)),
+                                eq(C_within, collide.ball(A_before, C_before))}),
+                     rules));
+  book.show("Q", "After Q_n:",
+            equation(logic_and({eq(b(n), collide.block(B_before, C_within)),
+                                eq(c_prime(n), collide.ball(B_before, C_within))}),
+                     rules));
 }
 
 void cycle_matrix(Book& book) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What the terms of a statement need to make sense, as the kernel says: proved here, or not shown.
+// Do the terms of a shown statement make sense? The kernel says what they need; it is proved here,
+// or the statement is not shown.
 #include <algorithm>
 
 #include "algebra/tactics.hpp"
@@ -36,8 +37,9 @@ Exprs unproved_needs(const Theorem& theorem) {
   Exprs out;
   for (const Expr& need : needs(theorem)) {
     const bool guarded = need.op() == Op::Imp;
+    const Exprs given = guarded ? conjuncts(need.arg(0)) : Exprs{};
     Exprs all_given;
-    for (const Expr& g : guarded ? conjuncts(need.arg(0)) : Exprs{})
+    for (const Expr& g : given)
       for (const Expr& f : conjuncts(g)) all_given.push_back(f);
     Theorems facts = assumed(all_given);
     for (const Theorem& f : known())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// When and where the paper's collisions take place: blocks of mass 1, a ball of alpha, no losses.
+// When and where the paper's collisions take place: blocks of mass 1, a ball of mass alpha, nothing
+// lost.
 #include "derivation/wedge.hpp"
 
 namespace derivation {
@@ -46,8 +47,9 @@ void encounters(Book& book) {
   book.show("definitions",
             "Collision j takes place at the time when_j, with the blocks apart_j from each other:",
             under(assumptions, both({when, distance})));
-  know(restate(lt(0, sine(j + 1)),
-               tautology(lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going})));
+  const Theorem positive_sine =
+      tautology(lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going});
+  know(restate(lt(0, sine(j + 1)), positive_sine));
   know(positive(rules[2]));
   book.show("when", "For a collision that takes place that is",
             equation(left(when), L / V * (sine(j) / sine(j + 1)),

@@ -57,14 +57,16 @@ void ends(Book& book) {
   };
   const Theorem A_is = beyond_B(A, "any_start.A_B", -(opening + parting));
   const Theorem C_is = beyond_B(C, "any_start.C_B", -C_B);
-  const Theorem B_is =
-      equation(B, w_B * (M_A * (V + opening + parting) + M_C * C_B) / mass_of_all(),
-               {of_last("any_start.B_velocity"), last, next});
+  const Expr mass = mass_of_all();
+  know(positive(mass));
+  const Theorem B_is = equation(B, w_B * (M_A * (V + opening + parting) + M_C * C_B) / mass,
+                                {of_last("any_start.B_velocity"), last, next});
   book.show("B", "So B has at the end", B_is);
   book.show("A_and_C", "and A and the ball have", both({A_is, C_is}));
   for (const Expr& one : {1 + t, 1 - t}) {
     const Theorem share = linear(le(0, one), {square, not_negative(power(one, 2))});
-    know(both({times(share, linear(lt(0, parting))), times(share, linear(le(0, opening)))}));
+    know(times(share, linear(lt(0, parting))));
+    know(times(share, linear(le(0, opening))));
   }
   book.show("order", "in the order of the bodies:",
             linear(logic_and({le(A, C), le(C, B), le(0, B)}),

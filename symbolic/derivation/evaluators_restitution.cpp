@@ -18,7 +18,8 @@ Theorem angle(Book& book, Names& f) {
   const Theorem all = f.positive("all_e", at_1(mass_of_all()), "With");
   const Theorem both_are = f.positive("both_e", sqrt(both_masses()));
   const Theorem A_share = at_1(book["wedge.r_A"]), B_share = book["wedge.r_B"];
-  know(both({positive(A_share), positive(B_share)}));
+  know(positive(A_share));
+  know(positive(B_share));
   const Expr inverse = 1 / (left(A_share) * left(B_share));
   const Theorem both_is = chain(both_are, root_is(both_masses(), inverse, {A_share, B_share}));
   const Theorem side = f.positive("side_e", of_e("both_e") / (1 + M_C));
@@ -28,7 +29,9 @@ Theorem angle(Book& book, Names& f) {
   f.name("root_e", sqrt(e));
   const Theorem loss = f.name("loss_e", power(1 - e, 2) / of_e("rise_e"));
   const Theorem share = f.name("share_e", 1 - of_e("loss_e"));
-  f.domain.push_back(know(assume(lt(0, of_e("share_e")))).conclusion());
+  const Theorem ends = assume(lt(0, of_e("share_e")));
+  know(ends);
+  f.domain.push_back(ends.conclusion());
   const Theorem whole = f.positive("whole_e", 2 * sqrt(e) * of_e("both_e") + (1 + e));
   const Theorem gap_e = f.positive("gap_e", of_e("rise_e") * of_e("share_e"));
   const Expr gap = of_e("gap_e"), W = of_e("whole_e");
@@ -144,7 +147,8 @@ void two_collisions(Book& book, Names& f) {
   show("a_two", "A", (1 - e * M_C) / (1 + M_C), {});
   show("c_two", "C", (w_B * M_C - e) * (1 + e) / both_masses(), {});
   const Theorem taken = f.name("taken_two", power(1 + e, 2) * M_C / both_masses(), "With");
-  energy_of_B(book, f, "rho_two", "taken_two", show("b_two", "B", w_B * f("taken_two"), {taken}));
+  const Theorem b_two = show("b_two", "B", w_B * f("taken_two"), {taken});
+  energy_of_B(book, f, "rho_two", "taken_two", b_two);
 }
 }  // namespace
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Forms without roots, for any field: all velocities from T_m = cos(m psi/2), by doubling of m.
+// Forms without roots, for any field: all velocities from T_m = cos(m psi/2), which is found by
+// doubling the index.
 #include "derivation/symbols.hpp"
 
 namespace derivation {

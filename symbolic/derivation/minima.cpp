@@ -6,7 +6,8 @@ namespace derivation {
 namespace {
 Expr angle() { return (N_B() + rational(1, 2)) * psi(); }
 
-/// Four ways to say that N_B psi is as at a threshold: by b_t, by a cosine, by N_B, by the ratio.
+/// Four ways to say that N_B psi is as at a threshold: by B's velocity, by a cosine, by N_B, and by
+/// the ratio.
 struct Condition {
   std::string name, ratio, cosine_label, count_label, cosine_words;
   Expr velocity, cosine, shift, target;  // cos(target) = cosine

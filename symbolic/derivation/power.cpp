@@ -9,6 +9,7 @@ void powers_of_lambda(Book& book) {
   book.show("angles_add", "Rotations about one axis add their angles:",
             equation(times(lambda_3(x), lambda_3(y)), lambda_3(x + y),
                      {turned_by(x), turned_by(y), turned_by(x + y)}, {x, y}));
+  // Lambda^n
   const auto turned_frame = [](Expr angle) {
     return times(times(R(), lambda_3(angle)), transpose(R()));
   };
@@ -29,6 +30,7 @@ void powers_of_lambda(Book& book) {
             return rewrite(added, rewrite(now, at(part(powers, 1))));
           }));
 
+  // V_n = Lambda^n V_0
   book.show("V_n", "eq:V-n-0 eq:V-n-0-app", "and the velocities are",
             by_induction(
                 n, eq(V_vector(n), times(power(Lambda(), n), column({V, 0, 0}))),
@@ -58,6 +60,7 @@ void powers(Book& book) {
   book.chapter("power", "The velocities", {alpha_positive, n_from_0});
   powers_of_lambda(book);
 
+  // Multiplied out.
   const Expr frame = right(book["rotation.R"]);
   const Theorem turn = at(book["rotation.lambda_3"], {{x, n * psi()}});
   const Expr turned_frame = times(times(frame, right(turn)), transpose(frame));
@@ -69,7 +72,8 @@ void powers(Book& book) {
                               Expr divisor) {
     const Expr value =
         simplified(entry(velocities, row, 0) / divisor, {cos(n * psi()), sin(n * psi())});
-    derived.push_back(book.show(name, words, cancel(eq(of, value), {positive(divisor)}, rules)));
+    const Theorems factors = divisor == Expr(1) ? Theorems{} : Theorems{positive(divisor)};
+    derived.push_back(book.show(name, words, cancel(eq(of, value), factors, rules)));
   };
   multiplied("a_multiplied", "Multiplied out, A has", a(n), 0, 1);
   multiplied("b_multiplied", "B has", b(n), 1, 1);
@@ -103,6 +107,7 @@ void powers(Book& book) {
                 follows(eq(c(n), c_form), {where_equal(n, 0, eq(c(n), c_form), c_at_0),
                                            given(lt(0, n), later), assume(n_from_0)}));
 
+  // Products.
   const Expr up = (n + rational(1, 2)) * half(), down = (n - rational(1, 2)) * half(),
              lead = 2 * middle * (1 + alpha);
   book.show("a_product", "The same as products: A,",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// The first ratios in square roots; for pi/17 by four quadratic equations (Gauss' periods).
+// The first ratios in square roots; for a seventeenth of pi, sums of cosines solve four quadratic
+// equations (Gauss' periods).
 #include "derivation/symbols.hpp"
 
 namespace derivation {

@@ -52,11 +52,12 @@ void rotation(Book& book) {
   const Exprs first = cross({0, 0, 1}, axis);
   const Exprs second = cross(axis, first);
   const auto length = [](const Exprs& v) { return sqrt(simplified(dot(v, v))); };
+  const Expr norms[]{length(first), length(axis) * length(first), length(axis)};
   Exprs columns;
   for (std::size_t i = 0; i < 3; ++i)
-    for (const auto& [vector, norm] : {std::pair{first[i], length(first)},
-                                       {second[i], length(axis) * length(first)},
-                                       {axis[i], length(axis)}})
+    for (const auto& [vector, norm] :
+         {std::pair{first[i], norms[0]}, std::pair{second[i], norms[1]},
+          std::pair{axis[i], norms[2]}})
       columns.push_back(vector == Expr(0) ? vector : vector / norm);
   const Theorem frame =
       book.name("R", {alpha}, matrix(3, columns), {alpha_positive},

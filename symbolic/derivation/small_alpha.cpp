@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Small mass ratios: ranges of theta and psi; what the paper approximates, as bounds on both sides.
+// Small mass ratios: the ranges of theta and psi, and what the paper approximates as bounds from
+// both sides.
 #include "derivation/symbols.hpp"
 
 namespace derivation {
@@ -13,17 +14,18 @@ void psi_bounds(Book& book) {
   const Theorem q_squared = equation((2 + alpha) * power(q, 2), alpha);
   const Theorem q_below = scaled(lt(2 * q, p), lt(4 * power(q, 2), power(p, 2)), 1 / (p + 2 * q),
                                  {positive(alpha * power(q, 2))});
+  const cln::cl_RA half = rational(1, 2).value();
   // (p + 2q)(2q - p + alpha p/4) = alpha^2 q^2/2 + alpha q (p - 2q)/2
   const Theorem q_above =
       arithmetic(le(p - alpha * p / 4, 2 * q),
-                 {.equations = {{2 - alpha / 2, p_squared}, {alpha - 4, q_squared}},
-                  .products = {{1, {mass, mass}, {q}}, {1, {mass, q_positive, q_below}, {}}},
-                  .multipliers = {positive(2 * (p + 2 * q))}});
-  const Theorem square_below =
-      linear(le(0, alpha / 2 - power(q, 2)), {q_squared, times(mass, power(q, 2))});
+                 {.equations = {{1 - alpha / 4, p_squared}, {alpha / 2 - 2, q_squared}},
+                  .products = {{half, {mass, mass}, {q}}, {half, {mass, q_positive, q_below}, {}}},
+                  .multipliers = {positive(p + 2 * q)}});
+  const Theorem q_squared_below =
+      linear(le(0, alpha / 2 - power(q, 2)), {positive(alpha * power(q, 2))});
   const Theorems facts{
-      book["table.quarter_psi"],       at("atan bounds", {{x, q}}), q_above, q_below,
-      times(q_positive, square_below), times(mass, q_below)};
+      book["table.quarter_psi"],          at("atan bounds", {{x, q}}), q_above, q_below,
+      times(q_positive, q_squared_below), times(mass, q_below)};
   book.show("psi_bounds", "eq:NA-approx", "psi is about 2 sqrt(2 alpha):",
             linear(logic_and({le(2 * p * (1 - rational(5, 12) * alpha), psi()), lt(psi(), 2 * p)}),
                    facts));

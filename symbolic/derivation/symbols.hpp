@@ -69,7 +69,8 @@ inline Theorem canonical_form(const Theorem& t) {
 }
 /// What is so from 0 on at n - 1, from 1 on.
 inline Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}, {assume(n_from_1)}); }
-/// Shows cosines and sines of an angle and its half; |- angle = 2 atan(t), and of sqrt(1 + t^2).
+/// Shows cosine and sine of half of an angle and of it, from |- angle = 2 atan(t) and what
+/// rewrites sqrt(1 + t^2).
 void show_angle(Book& book, const Theorem& is, const Theorems& hypotenuse, Expr cosine, Expr sine);
 /// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
 Theorem root_split(Book& book);
@@ -100,24 +101,12 @@ struct Count {
   Theorem sign;
 };
 void count(Book& book, const Count& c);
-/// A velocity of the chapter "power" at a threshold, where its angle is pi less `rest`.
-struct Velocity {
-  Expr left, right;
-  std::string id;
-  Expr index, angle, rest, base;
-};
-struct Kind {
-  std::string chapter, title, ratio, count_label, count_words, velocity_label, velocity_words;
-  Expr d;  // psi/2 = pi/d
-  Expr N_A_is, unrounded;
-};
-void at_threshold(Book& book, const Kind& kind, const std::vector<Velocity>& velocities);
 /// 0 < pi/d and pi/d < pi/2 for a denominator d that `facts` say to be above 2.
 Theorems range_of(Expr d, const Theorems& facts = {});
 
 // The chapters, one file each.
 using WriteChapter = void(Book& book);
-WriteChapter contact, ball, cycle, cycle_matrix, rotation, powers, counting, multiples, table,
-    constraints, ratios, magic, deficient, terminal, orthogonal, minima, small_alpha, evaluators,
-    evaluators_end, evaluators_ratios, heavy, evaluators_collision, radicals, exact_forms;
+WriteChapter contact, cycle, cycle_matrix, rotation, powers, counting, multiples, table,
+    constraints, thresholds, ratios, terminal, orthogonal, minima, small_alpha, evaluators,
+    radicals, exact_forms;
 }  // namespace derivation

@@ -49,7 +49,8 @@ void table(Book& book) {
     const Theorem none = given(eq(cos(angle), 0), [&](const Theorem& is_0) {
       return linear(eq(numerator, 0), {rewrite(is_0, equation(d * cos(angle), numerator, values))});
     });
-    const Theorem divisor = know(tautology(neq(cos(angle), 0), {none, moves}));
+    const Theorem divisor = tautology(neq(cos(angle), 0), {none, moves});
+    know(divisor);
     show(name, angle, above / numerator, values + Theorems{moves, divisor});
   };
   show_where("theta", theta(), 1 - alpha, 1 + alpha, 2 * s,

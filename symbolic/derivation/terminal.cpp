@@ -49,7 +49,8 @@ void on_the_way(Book& book, const Theorems& approaches) {
             changes(lt(b(n - 1), b(n)), N_B(), 2 * n - 1, 1, "cycle.Q"));
 }
 
-/// The end if N = `count`: who has had how many collisions, the terminal velocities, their order.
+/// The end if the last collision is number N = `count`: who has had how many, the terminal
+/// velocities and their order.
 struct End {
   std::string name, words;
   Expr count, N_B_is, ball;
@@ -152,9 +153,10 @@ void terminal(Book& book) {
   const Expr up = (N_A() + rational(1, 2)) * (psi() / 2),
              down = (N_A() - rational(1, 2)) * (psi() / 2);
   const Theorem cos_up = linear(le(0, -cos(up)), {cosine_falls(linear(le(pi() / 2, up)))});
-  book.show("a_recoils", "A does not go on forward:",
-            linear(le(a_t(), 0), {chain(a_is, at(book["power.a_product"], {{n, N_A()}})),
-                                  product_of({positive(book["power.V_CM"]),
-                                              positive((1 + alpha) * cos(down)), cos_up})}));
+  const Theorem as_product = chain(a_is, at(book["power.a_product"], {{n, N_A()}}));
+  book.show(
+      "a_recoils", "A does not go on forward:",
+      linear(le(a_t(), 0), {as_product, product_of({positive(book["power.V_CM"]),
+                                                    positive((1 + alpha) * cos(down)), cos_up})}));
 }
 }  // namespace derivation

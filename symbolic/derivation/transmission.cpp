@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// What losses let through: the paper's four equations, and B's share after one cycle and two.
+// What collisions that lose energy let through: the paper's four equations, and the share that B
+// has after one cycle and after two.
 #include "derivation/wedge.hpp"
 
 namespace derivation {
 namespace {
 const Expr e_more = real("e'");
-const Substitution at_more{{e, e_more}};
 
 /// The paper's velocities with restitution: of A, B and the ball after Q_n, of the ball after P_n.
 Expr with_e(const char* name, Expr i) { return fun(name, {alpha, V, e, i}); }
@@ -22,13 +22,14 @@ Theorems names_of_paper(Book& book) {
 }
 /// The laws of P_n and Q_n in these names.
 void equations_of_paper(Book& book, const Theorems& names) {
+  const Theorem from = assume(n_from_1);
   Theorems rules = names;
   for (const Theorem& t : parts({one_before(book["cycle.turns"])}))
     rules.push_back(canonical_form(t));
   for (std::size_t i = 0; i < 3; ++i) rules.push_back(one_before(names[i]));
   for (const Theorem& law : parts({book["motion.next"]}))
     for (const Expr i : {2 * n - 2, 2 * n - 1})
-      rules.push_back(canonical_form(for_blocks(law, {{j, i}}, {assume(n_from_1)})));
+      rules.push_back(canonical_form(for_blocks(law, {{j, i}}, {from})));
   const Expr a_0 = with_e("a_e", n - 1), a_1 = with_e("a_e", n), b_0 = with_e("b_e", n - 1),
              b_1 = with_e("b_e", n), c_0 = with_e("c_e'", n - 1), c_1 = with_e("c_e", n),
              c_2 = with_e("c_e'", n);
@@ -42,7 +43,7 @@ void equations_of_paper(Book& book, const Theorems& names) {
 /// b_n(e) < b_n(e') |- the same of rho, where they differ by `factor`, a positive term.
 void rises(Book& book, const std::string& name, const std::string& words, const Theorem& is,
            Expr factor) {
-  const Theorem is_more = at(is, at_more);
+  const Theorem is_more = at(is, {{e, e_more}});
   const Expr b_n = left(is), b_more = left(is_more);
   const Expr difference = V * alpha / power(1 + alpha, 2) * (e_more - e) * factor;
   const Theorem larger = positive(equation(b_more - b_n, difference, {is, is_more}));
@@ -73,11 +74,14 @@ void first_cycles(Book& book, const Theorems& names) {
         "Where e and e' both have two or three collisions the first of these is B's last velocity, "
         "and its share of the energy, rho, rises,",
         after_1, 2 + e + e_more);
-  const Expr room_more = substitute(room, at_more);
-  const Expr meet = lt(with_e("b_e", 1), with_e("c_e", 2));
-  const Theorem open =
-      know(scaled(lt(0, room), lt(0, V * s * room), 1 / (V * s), {approach, assume(meet)}));
-  know(at(open, at_more, {assume(substitute(meet, at_more))}));
+  const Expr room_more = substitute(room, {{e, e_more}});
+  for (const Substitution& at_e : {Substitution{}, Substitution{{e, e_more}}}) {
+    const Theorem meet = assume(substitute(lt(with_e("b_e", 1), with_e("c_e", 2)), at_e));
+    know(arithmetic(substitute(lt(0, room), at_e),
+                    {.equations = {{1, at(approach, at_e)}},
+                     .products = {{1, {meet}}},
+                     .multipliers = {positive(substitute(V * s, at_e))}}));
+  }
   rises(book, "rises_2",
         "and so it does with the second where both have four or five (for more collisions figures "
         "show it, but it is not proved):",

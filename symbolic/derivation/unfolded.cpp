@@ -57,8 +57,10 @@ void unfolded(Book& book) {
                squared_shares(book) +
                    Theorems{radius_is, lossless(book, "places.ball"), book["cycle.turn_squared"]}));
 
+  const Theorem takes_place =
+      tautology(lt(0, here(U(j))), {lossless(book, "motion.takes_place"), assume(going)});
   const Expr sine = sin((j + 1) * h);
-  know(tautology(lt(0, here(U(j))), {lossless(book, "motion.takes_place"), assume(going)}));
+  know(takes_place);
   const Theorem L_is = book.define("scaled_L", {M_A, w_B, M_C, L}, scale * L, of_wedge({}),
                                    "With the distance at first");
   const Theorem V_is = book.define("scaled_V", {M_A, w_B, M_C, V}, scale * V * (r_A() / r_B()),

@@ -30,11 +30,14 @@ inline Expr velocity(const std::string& body, Expr i) {
   return fun("v_" + body, at_rest() + Exprs{i});
 }
 inline Expr closing(Expr i) { return fun("closing", at_rest() + Exprs{i}); }
-/// A theorem of the motion from any start, as one from rest, in its names, at such collisions.
+/// A theorem of the motion from any start about that from rest, in its names, at collisions
+/// `indices`.
 Theorem from_rest(const Book& book, const Theorem& t, Substitution terms = {},
                   const Exprs& indices = {j, j + 1});
 /// sqrt(e)^i
 inline Expr root_power(Expr i) { return fun("pow", {sqrt(e), i}); }
+/// Shows the motion from any start, collision by collision, and what its approach speeds keep.
+void sequences(Book& book);
 inline const Substitution elastic{{e, 1}};
 inline Exprs masses_and_e() { return {M_A, w_B, M_C, e}; }
 inline Expr kappa() { return fun("kappa", masses_and_e()); }
@@ -71,7 +74,7 @@ Theorem powers_of(const Book& book, const Theorem& at_most_1);
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is);
 /// The same where nothing is lost and powers of e are 1, as the first two of four say.
 Theorems without_losses(const Book& book, const Theorem& kappa_is);
-WriteChapter restitution, from_any_start, any_start_line, motion, transmission, ends, chebyshev,
-    wedge, places, collapse, encounters, wall, cradle, billiard, losses, unfolded, bodies,
-    restitution_forms;
+WriteChapter restitution, from_any_start, motion, transmission, ends, chebyshev, wedge,
+    when_and_where, collapse, encounters, digits_of_pi, cradle, billiard, losses, unfolded,
+    three_body_forms, restitution_forms;
 }  // namespace derivation

@@ -236,11 +236,13 @@ cl_R function(const std::string& f, const Vector& x) {
     return f == "cradle_speed" ? speed : count;
   }
   if (f == "squares") {
-    const cl_R side = function("r_A", {x[0], x[2]}) / function("r_B", {x[1], x[2]});
+    const cl_R kappa = function("kappa", {x[0], x[1], x[2], x[3]});
+    const cl_R r_A = function("r_A", {x[0], x[2]}), r_B = function("r_B", {x[1], x[2]});
     cl_R sum = 0;
     for (int i = 0; i < x[6]; ++i) {
-      const cl_R speed = function("nearing", {x[0], x[1], x[2], x[3], x[4], x[5], i});
-      sum = sum + cln::expt(i % 2 == 0 ? speed : cl_R(speed / side), 2);
+      const cl_R of_B = r_B / (r_A * root(x[3])) * chebyshev(kappa, i - 1);
+      const cl_R u = x[4] * chebyshev(kappa, i) + x[5] * of_B;
+      sum = sum + cln::expt(exact(x[3]), i) * u * u;
     }
     return sum;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// Each theorem at random points, false statements beside true ones, and the paper's labels.
+// Each theorem of the book at random points, and false statements beside true ones that are seen;
+// the paper's labels.
 #include <algorithm>
 #include <random>
 

@@ -9,7 +9,8 @@ const Substitution distances{{d_A, 0}, {d_B, L}};
 /// Times and places of the collisions, from each to the next.
 void until_the_next(Book& book) {
   const Known here;
-  const Theorem going = know(assume(lt(0, closing(j))));
+  const Theorem going = assume(lt(0, closing(j)));
+  know(going);
   const Exprs domain = of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L), going.conclusion()});
   const Names names{book, {M_A, w_B, M_C, e, V, L, j}, domain};
   know(rewrite(part(book["motion.names"], 3), going));
@@ -54,10 +55,11 @@ void until_the_next(Book& book) {
   for (const Theorem& moves : parts({named_in("goes_on")})) {
     const std::size_t body = lines.size();
     const Theorem& place = named[body + 1];
+    const Theorem moved = rewrite(at(place, {{j, j + 1}}), at(moves, {{tau, next_time}}));
     const Theorem line = at(part(from("linear"), body), {{tau, left(time)}});
     const Expr x_is = left(places[body]), v = velocity(std::string(1, "ABC"[body]), j + 1);
-    next.push_back(linear(eq(substitute(x_is, {{j, j + 1}}), x_is + v * (next_time - left(time))),
-                          {rewrite(at(place, {{j, j + 1}}), at(moves, {{tau, next_time}}))}));
+    next.push_back(
+        linear(eq(substitute(x_is, {{j, j + 1}}), x_is + v * (next_time - left(time))), {moved}));
     lines.push_back(solved_for(x_is, rewrite(place, line)));
   }
   shown("next", "and until the next collision all move on with their velocities:",
@@ -75,17 +77,20 @@ void until_the_next(Book& book) {
 }
 /// Where they never end, all times are below one that they come arbitrarily close to.
 void collapse_in_time(Book& book) {
-  know(assume(le(1, kappa())));
-  const Theorem neighbours = know(book["collapse.neighbours"]);
-  const Expr y_e = left(book["collapse.y_e"]), unit = L * r_B() / (V * r_A() * sqrt(e));
+  const Theorem from_1 = assume(le(1, kappa()));
+  know(from_1);
+  const Theorem neighbours = cut(from_1, book["collapse.neighbours"]);
+  for (const Theorem& positive_power : parts({neighbours})) know(positive_power);
+  const Expr y_e = left(cut(from_1, book["collapse.y_e"])),
+             unit = L * r_B() / (V * r_A() * sqrt(e));
   const Theorem rise = at(book["chebyshev.rise"], {{x, kappa()}});
   know(linear(lt(0, U(j)), {rise}));
   const Theorem end_is = book.define("t_end", {M_A, w_B, M_C, e, V, L}, unit * y_e,
                                      of_wedge({lt(0, e), le(1, kappa()), V_positive, lt(0, L)}),
                                      "Where the collisions never end, there is a time");
   const Expr rest = unit * right(part(neighbours, 0)) / U(j), per = unit / U(j);
-  const Theorem closes = know(book["motion.never_ends"]);
-  const Theorem in_time = cut(closes, book["places.time"]);
+  const Theorem closes = book["motion.never_ends"], in_time = cut(closes, book["places.time"]);
+  know(closes);
   book.show(
       "time_left", "before which all collisions take place,",
       equation(left(end_is) - left(in_time), rest, {end_is, in_time, turned(part(neighbours, 0))}));
@@ -96,7 +101,7 @@ void collapse_in_time(Book& book) {
 }
 }  // namespace
 
-void places(Book& book) {
+void when_and_where(Book& book) {
   book.chapter("places", "When and where", of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)}));
   for (Expr i : {j, j + 1}) know(at(book["wedge.signs"], {{j, i}}));
   until_the_next(book);

@@ -69,18 +69,21 @@ Theorem definition_of_q_e(Book& book) {
 Theorem angle(Book& book, const Theorem& q_is) {
   know(assume(lt(0, q_e())));
   const Theorem below =
-      know(tautology(lt(kappa(), 1), {book["collapse.threshold"], linear(lt(K(), 1), {q_is})}));
+      tautology(lt(kappa(), 1), {book["collapse.threshold"], linear(lt(K(), 1), {q_is})});
+  know(below);
   know(positive(book["wedge.kappa"]));
   const Theorem inside = equation(1 - power(kappa(), 2), q_e(), {q_is, book["collapse.square"]});
   const Theorem h_is = book.show("h_e", "Where they end the angle is",
                                  rewrite(inside, cut(below, book["wedge.h_e"])));
-  know(both({positive(h_is), linear(lt(h_e(), pi()), {h_is})}));
+  know(positive(h_is));
+  know(linear(lt(h_e(), pi()), {h_is}));
   book.show("N_e", "and the number of all collisions", cut(below, book["motion.N"]));
   return below;
 }
 /// Speeds, weighed as the ball's approach to B counts.
 Expr weighed(Expr of_A, Expr of_B, Expr now, Expr last) { return of_A * now + of_B * r_e() * last; }
-/// Places at a time tau after collision j, seen from B's first; velocities for no distance, tau 1.
+/// Places at a time tau after collision j, seen from B's first one; velocities, where no distance
+/// is given and tau is 1.
 void places(const Forms& forms, const InUnit& units) {
   const Substitution distances = start_with(d_A, d_B);
   const auto name = [&](const std::string& symbol, Expr v) {
@@ -164,16 +167,19 @@ void rises(Book& book, const InUnit& units, const Theorem& q_is) {
     const Theorem above = assume(lt(q_e(), 0));
     const Known here({above});
     const Theorem y_is = cut(linear(le(q_e(), 0), {above}), book["bodies.y_e"]);
-    const Theorem from_1 = know(
-        tautology(le(1, kappa()), {book["collapse.threshold"], linear(le(1, K()), {q_is, above})}));
+    const Theorem from_1 =
+        tautology(le(1, kappa()), {book["collapse.threshold"], linear(le(1, K()), {q_is, above})});
     const Theorems unit_is = parts({cut(from_1, book["collapse.unit"])});
     const Expr y_e = left(y_is), p = fun("pow", {y_e, j});
+    know(from_1);
     const Theorems root_is = parts({cut(from_1, book["collapse.root"])});
     know(both(root_is));
     know(part(powers_of(book, root_is[2]), 0));
     const auto of_p = [&](const Theorem& is) { return at(is, {{unit, p}}); };
     const Expr root = sqrt(-q_e());
-    const Theorem gap = equation(1 / y_e - y_e, 2 * root, {root_is[0], solved_for(root, y_is)});
+    const Theorem product = arithmetic(eq(y_e * root, (1 - power(y_e, 2)) / 2),
+                                       {.equations = {{rational(-1, 2), root_is[0]}, {y_e, y_is}}});
+    const Theorem gap = equation(1 / y_e - y_e, 2 * root, {product});
     const Theorem last =
         show("last_rise", "With a power of it for the unit", of_p(units.last),
              (1 - power(p, 2)) / (2 * root),
@@ -191,7 +197,7 @@ void rises(Book& book, const InUnit& units, const Theorem& q_is) {
 }
 }  // namespace
 
-void bodies(Book& book) {
+void three_body_forms(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e)});
   book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
   know(at(book["wedge.signs"], {{j, 0}}));

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-// A wall for B, and masses T^2 and 1: nearly pi T collisions, digits of pi for a power of ten.
+// A wall in place of B, and masses T^2 and 1: they collide nearly pi T times, which for a power of
+// ten are digits of pi.
 #include "derivation/wedge.hpp"
 
 namespace derivation {
-void wall(Book& book) {
+void digits_of_pi(Book& book) {
   book.chapter("wall", "A wall, and digits of pi", {V_positive});
   const Expr T = real("T");
   const Known large({assume(le(1, T))});
@@ -35,10 +36,11 @@ void wall(Book& book) {
   const Theorem from = times(linear(le(0, 1 / T - h), {angle, near}), pi() * T / h);
   const Theorem many = linear(le(pi() * T - 1, N), {number, from});
   const Expr u = 1 / T;
-  const Theorem to = linear(
-      le(pi(), (pi() * T + 2 * u) * h),
-      {times(linear(le(0, h - u + power(u, 3) / 3), {angle, near}), pi() * T + 2 * u),
-       times(at_most_4, power(u, 2)), times(scaled(le(u, 1), le(1, T), u), (1 + u) * power(u, 2))});
+  const Theorem product =
+      times(linear(le(0, h - u + power(u, 3) / 3), {angle, near}), pi() * T + 2 * u);
+  const Theorem to = linear(le(pi(), (pi() * T + 2 * u) * h),
+                            {product, times(at_most_4, power(u, 2)),
+                             times(scaled(le(u, 1), le(1, T), u), (1 + u) * power(u, 2))});
   know(book.show("number_T", "so that the number of collisions is near pi T:",
                  both({many, linear(lt(N, pi() * T + 2 * u), {number, times(to, 1 / h)})})));
   book.show("digits",

@@ -3,10 +3,9 @@
 #include "derivation/evaluators.hpp"
 
 namespace derivation {
-void evaluators_end(Book& book) {
+void terminal_forms(Book& book, const Angle& a) {
   book.chapter("evaluators_end", "Forms for evaluation: terminal velocities",
                {alpha_positive, V_positive});
-  const Angle a = evaluated_angle(book);
   const Names f{book, {alpha, V}, {alpha_positive, V_positive}};
   const Theorem h = book.define("h", {alpha}, 2 * of_alpha("half_h"), {alpha_positive}, "With");
   const Theorem psi_is = linear(eq(psi(), 2 * of_alpha("h")), {h, a.quarter});
@@ -43,7 +42,8 @@ void evaluators_end(Book& book) {
       const Theorem bound =
           linear(Q_last ? lt(0, z - 2 * N_A()) : le(0, 2 * N_A() - z), {N_is, book["counting.N"]});
       const Expr value_is = Q_last ? r : -r;
-      const Theorem size = size_of_rest(value_is, linear(le(0, value_is), {times(bound, psi())}));
+      const Theorem sign = linear(le(0, value_is), {times(bound, psi())});
+      const Theorem size = size_of_rest(value_is, sign);
       const Exprs quarter_turn{pi() / 2, angle};
       const Theorem sine = equation(f("rest_sine"), Q_last ? cos(angle) : -cos(angle),
                                     {rewrite(size, def_sine)}, quarter_turn);
@@ -82,15 +82,16 @@ void evaluators_end(Book& book) {
       book.show("rest_bounds", "where what is left is half a step at most:",
                 follows(bounds_of_rest, {with_sign(le(0, r), r), with_sign(lt(r, 0), -r)}));
   const Expr gap_angle = q - f("rest");
+  const Theorem difference =
+      equation(sin(gap_angle), sin(q) * f("rest_cosine") - cos(q) * f("rest_sine"),
+               {turned(def_sine), turned(def_cosine)}, {q, f("rest")});
   book.show("t_cosine_at_most", "For a ball that is not heavier than a block",
             linear(le(f("t_cosine"), f("w_cosine")),
                    {of_name[0], of_name[1], times(a.t_small, assume(le(0, f("rest_cosine"))))}));
   book.show("sine_at_most", "and so",
             scaled(le(f("rest_sine"), f("t_cosine")),
                    le(cos(q) * f("rest_sine"), cos(q) * f("t_cosine")), 1 / cos(q),
-                   {equation(sin(gap_angle), sin(q) * f("rest_cosine") - cos(q) * f("rest_sine"),
-                             {turned(def_sine), turned(def_cosine)}, {q, f("rest")}),
-                    sine_not_negative(gap_angle, {bounds, psi_is}),
+                   {difference, sine_not_negative(gap_angle, {bounds, psi_is}),
                     equation(cos(q) * f("t_cosine"), sin(q) * f("rest_cosine"),
                              {of_name[0], a.tangent})}));
 }
