@@ -6,13 +6,13 @@
 
 namespace derivation {
 namespace {
-constexpr void (*in_order[])(Book&){
-    contact,      cycle,          cycle_matrix, rotation,         powers,           table,
-    counting,     constraints,    multiples,    thresholds,       ratios,           radicals,
-    terminal,     minima,         small_alpha,  restitution,      chebyshev,        wedge,
-    collapse,     from_any_start, motion,       losses,           transmission,     ends,
-    digits_of_pi, when_and_where, encounters,   cradle,           billiard,         unfolded,
-    orthogonal,   evaluators,     exact_forms,  three_body_forms, restitution_forms};
+constexpr WriteChapter* in_order[] = {
+    contact,     cycle,           cycle_matrix, rotation,   powers,     table,     counting,
+    constraints, multiples,       ratios,       magic,      deficient,  radicals,  terminal,
+    minima,      small_alpha,     restitution,  chebyshev,  wedge,      collapse,  from_any_start,
+    motion,      losses,          transmission, ends,       wall,       places,    encounters,
+    cradle,      billiard,        unfolded,     orthogonal, evaluators, end_forms, ratio_forms,
+    heavy,       collision_forms, exact_forms,  bodies,     loss_forms};
 
 // A chapter may be written in several parts, one after the other.
 bool is_finished(const std::string& chapter, const Book& book) {

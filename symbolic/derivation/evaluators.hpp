@@ -11,9 +11,6 @@ struct Angle {
   Theorem quarter, tangent, t_small;
   Theorems rules;
 };
-
-/// The terminal velocities, from what is left of a quarter turn after N_A steps of psi/2.
-void terminal_forms(Book& book, const Angle& a);
-/// When and where collision j takes place, from the sine and cosine of j psi/4.
-void collision_forms(Book& book, const Angle& a);
+/// From the chapter "evaluators".
+Angle evaluated_angle(const Book& book);
 }  // namespace derivation

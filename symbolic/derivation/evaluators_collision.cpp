@@ -23,9 +23,10 @@ void first_of_B(Book& book) {
 }
 }  // namespace
 
-void collision_forms(Book& book, const Angle& a) {
+void collision_forms(Book& book) {
   book.chapter("evaluators_collision", "Forms for evaluation: a collision",
                {alpha_positive, V_positive, lt(0, L), le(0, j)});
+  const Angle a = evaluated_angle(book);
   first_of_B(book);
 
   const Expr T = of_alpha("t"), q = of_alpha("half_h"), quarter = psi() / 4;

@@ -152,7 +152,7 @@ void two_collisions(Book& book, Names& f) {
 }
 }  // namespace
 
-void restitution_forms(Book& book) {
+void loss_forms(Book& book) {
   book.chapter("evaluators_restitution",
                "Forms for evaluation: terminal velocities that lose energy",
                {lt(0, M_C), le(0, w_B), lt(0, e), V_positive, lt(0, L)});

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // The mass ratios at which the counts change: N_A = k if and only if alpha_k <= alpha <
 // alpha_(k-1); beta_k for N_B.
-// At alpha = alpha_k B takes everything (magic); at alpha = beta_k B and the ball go on together
-// (deficient).
 #include "derivation/symbols.hpp"
 
 namespace derivation {
@@ -118,76 +116,17 @@ void order(Book& book) {
                       restate(eq(cos(pi() / (2 * Expr(1) + 1)), right(third)), third)}));
 }
 
-/// A velocity of the chapter "power" at a threshold, where its angle is pi less `rest`.
-struct Velocity {
-  Expr left, right;
-  std::string id;
-  Expr index, angle, rest, base;
-};
-struct Kind {
-  std::string chapter, title, ratio, count_label, count_words, velocity_label, velocity_words;
-  Expr d;  // psi/2 = pi/d
-  Expr N_A_is, unrounded;
-};
-void at_threshold(Book& book, const Kind& kind, const std::vector<Velocity>& velocities) {
-  const Theorem is = assume(eq(alpha, fun(kind.ratio, {k})));
-  book.chapter(kind.chapter, kind.title, {alpha_positive, V_positive, le(1, k), is.conclusion()});
-  const Theorems range = range_of(kind.d);
-  const Theorem solved = chain(is, book["ratios." + kind.ratio + "k"]);
-  const Theorem cosines = at(book["ratios.ratio"], {{x, pi() / kind.d}}, range + Theorems{solved});
-  const Theorem angle = book.show("angle", "Half of psi is then", same_angle(cosines, range));
-  const Theorem turn =
-      equation(kind.d * psi(), 2 * pi(), {linear(eq(psi(), 2 * pi() / kind.d), {angle})});
-  const Theorem quotient =
-      equation(pi() / psi(), kind.d / 2, {linear(eq(pi(), kind.d / 2 * psi()), {turn})});
-  const Theorem N_A_is = linear(eq(N_A(), kind.N_A_is), {book["counting.N_A"], quotient});
-  const Theorem N_B_is = linear(eq(N_B(), k), {book["counting.N_B"], quotient});
-  book.show("counts", kind.count_label, kind.count_words,
-            both({N_A_is, N_B_is, linear(eq(k, kind.unrounded), {quotient})}));
-  Theorems values, terminal;
-  for (const Velocity& v : velocities) {
-    const Theorem left_over = linear(eq(v.angle, pi() - v.rest), {turn});
-    const Theorem velocity = rewrite(left_over, at(book["power." + v.id], {{n, v.index}}));
-    values.push_back(equation(v.left, v.right,
-                              {velocity, book["power.V_CM"], book["rotation.cos_half_psi"]},
-                              {pi(), v.base}));
-    const bool of_A = v.id == "a" || v.id == "c";
-    terminal.push_back(rewrite(turned(of_A ? N_A_is : N_B_is), values.back()));
-  }
-  book.show("velocities", kind.velocity_label, kind.velocity_words, both(values));
-  book.show("terminal", "These are the terminal velocities:", both(terminal));
-}
 }  // namespace
 
 Theorems range_of(Expr d, const Theorems& facts) {
   return {positive(pi() / d, facts), scaled(lt(pi() / d, edge), lt(2, d), pi() / d, facts)};
 }
 
-void thresholds(Book& book) {
+void ratios(Book& book) {
   book.chapter("ratios", "Thresholds", {alpha_positive, V_positive});
   ratio_of_angle(book);
   threshold(book, {"N_A", "alpha_", "exact:ak", "NA-range", rational(1, 2)});
   threshold(book, {"N_B", "beta_", "exact:bk", "NB-range", 1});
   order(book);
-}
-
-void ratios(Book& book) {
-  const Expr to_half = (k + rational(1, 2)) * psi();
-  at_threshold(book,
-               {"magic", "Magic mass ratios", "alpha_", "eq:Naatcritical",
-                "Each block has had k collisions,", "",
-                "after which A and C are at rest and B has what A had:", 2 * k + 1, k,
-                pi() / psi() - rational(1, 2)},
-               {{a(k), 0, "a", k, k * psi(), half(), half()},
-                {b(k), V, "b", k, to_half, 0, half()},
-                {c_prime(k), 0, "c_prime", k, (k + rational(1, 4)) * psi(), quarter(), quarter()}});
-  at_threshold(book,
-               {"deficient", "Deficient mass ratios", "beta_", "eq:Nbatcritical",
-                "A has had one collision more than B,", "eq:defb-terminal",
-                "after which B and C go on together:", 2 * k + 2, k + 1, pi() / psi() - 1},
-               {{a(k + 1), -alpha * V / (2 + alpha), "a", k + 1, (k + 1) * psi(), 0, half()},
-                {b(k), 2 * V / (2 + alpha), "b", k, to_half, half(), half()},
-                {c(k + 1), 2 * V / (2 + alpha), "c", k + 1, (k + 1 - rational(1, 4)) * psi(),
-                 quarter(), quarter()}});
 }
 }  // namespace derivation

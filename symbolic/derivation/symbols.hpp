@@ -101,12 +101,24 @@ struct Count {
   Theorem sign;
 };
 void count(Book& book, const Count& c);
+/// A velocity of the chapter "power" at a threshold, where its angle is pi less `rest`.
+struct Velocity {
+  Expr left, right;
+  std::string id;
+  Expr index, angle, rest, base;
+};
+struct Kind {
+  std::string chapter, title, ratio, count_label, count_words, velocity_label, velocity_words;
+  Expr d;  // psi/2 = pi/d
+  Expr N_A_is, unrounded;
+};
+void at_threshold(Book& book, const Kind& kind, const std::vector<Velocity>& velocities);
 /// 0 < pi/d and pi/d < pi/2 for a denominator d that `facts` say to be above 2.
 Theorems range_of(Expr d, const Theorems& facts = {});
 
 // The chapters, one file each.
 using WriteChapter = void(Book& book);
 WriteChapter contact, cycle, cycle_matrix, rotation, powers, counting, multiples, table,
-    constraints, thresholds, ratios, terminal, orthogonal, minima, small_alpha, evaluators,
-    radicals, exact_forms;
+    constraints, ratios, magic, deficient, terminal, orthogonal, minima, small_alpha, evaluators,
+    end_forms, ratio_forms, heavy, collision_forms, radicals, exact_forms;
 }  // namespace derivation

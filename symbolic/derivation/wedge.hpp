@@ -74,7 +74,6 @@ Theorem powers_of(const Book& book, const Theorem& at_most_1);
 Theorems quotients_of_sines(const Book& book, const Theorem& kappa_is);
 /// The same where nothing is lost and powers of e are 1, as the first two of four say.
 Theorems without_losses(const Book& book, const Theorem& kappa_is);
-WriteChapter restitution, from_any_start, motion, transmission, ends, chebyshev, wedge,
-    when_and_where, collapse, encounters, digits_of_pi, cradle, billiard, losses, unfolded,
-    three_body_forms, restitution_forms;
+WriteChapter restitution, from_any_start, motion, transmission, ends, chebyshev, wedge, places,
+    collapse, encounters, wall, cradle, billiard, losses, unfolded, bodies, loss_forms;
 }  // namespace derivation

@@ -3,9 +3,10 @@
 #include "derivation/evaluators.hpp"
 
 namespace derivation {
-void terminal_forms(Book& book, const Angle& a) {
+void end_forms(Book& book) {
   book.chapter("evaluators_end", "Forms for evaluation: terminal velocities",
                {alpha_positive, V_positive});
+  const Angle a = evaluated_angle(book);
   const Names f{book, {alpha, V}, {alpha_positive, V_positive}};
   const Theorem h = book.define("h", {alpha}, 2 * of_alpha("half_h"), {alpha_positive}, "With");
   const Theorem psi_is = linear(eq(psi(), 2 * of_alpha("h")), {h, a.quarter});

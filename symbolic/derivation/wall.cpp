@@ -4,7 +4,7 @@
 #include "derivation/wedge.hpp"
 
 namespace derivation {
-void digits_of_pi(Book& book) {
+void wall(Book& book) {
   book.chapter("wall", "A wall, and digits of pi", {V_positive});
   const Expr T = real("T");
   const Known large({assume(le(1, T))});

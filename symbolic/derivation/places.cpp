@@ -101,7 +101,7 @@ void collapse_in_time(Book& book) {
 }
 }  // namespace
 
-void when_and_where(Book& book) {
+void places(Book& book) {
   book.chapter("places", "When and where", of_wedge({le(0, j), lt(0, e), V_positive, lt(0, L)}));
   for (Expr i : {j, j + 1}) know(at(book["wedge.signs"], {{j, i}}));
   until_the_next(book);

@@ -197,7 +197,7 @@ void rises(Book& book, const InUnit& units, const Theorem& q_is) {
 }
 }  // namespace
 
-void three_body_forms(Book& book) {
+void bodies(Book& book) {
   const Exprs assumptions = of_wedge({le(0, j), lt(0, e)});
   book.chapter("bodies", "Forms for evaluation: three bodies", assumptions);
   know(at(book["wedge.signs"], {{j, 0}}));
