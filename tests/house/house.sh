@@ -39,9 +39,12 @@ for file in "${code[@]}"; do
   LC_ALL=C.UTF-8 awk -v file="$file" '
     length($0) > 100 {print file ":" FNR ": " length($0) " columns, at most 100 are allowed"}
     {
-      gsub(/\\./, ""); gsub(/"[^"]*"/, "\"\""); gsub(/\x27.\x27/, "0"); sub(/\/\/.*/, "")
+      gsub(/\\./, ""); gsub(/\x27.\x27/, "0"); gsub(/"[^"]*"/, "\"\""); sub(/\/\/.*/, "")
+      heads = $0
+      while (gsub(/for \([^()]*\)|\([^();{}]*\)/, "@", heads)) {}
+      two = heads ~ /;[ \t]*\}[ \t]*else|\{[^{}]*;[ \t]*[^ \t{};][^{}]*\}|^[ \t]*[a-z_:.]+@, [a-z_:.]+@;$/
       while (gsub(/\([^()]*\)/, "")) {}
-      if ($0 !~ /(^|[^a-z_])(for|if) \(/ && $0 ~ /;[ \t]*[^ \t})]/) print file ":" FNR ": two statements on a line"
+      if (two || ($0 !~ /(^|[^a-z_])(for|if) \(/ && $0 ~ /;[ \t]*[^ \t})]/)) print file ":" FNR ": two statements on a line"
     }' "$file"
 done >>"$broken"
 
@@ -49,6 +52,10 @@ done >>"$broken"
 printf '%s\n' "${all[@]}" | grep -vE '\.(cpp|hpp|pc\.in|cmake\.in|md|txt|toml|tsv|csv|json|sh|gp|v|svg|css|supp)$' |
   grep -vE '(^|/)(setup|\.ci/run|LICENSE|\.git|\.gitignore|\.clang-(format|tidy))$' |
   sed 's/$/: this ending is not allowed (C++ is .cpp, .hpp; scripts are bash)/' >>"$broken" || true
+# Tables of answers and attacks, and exercises, hold students' programs: .tsv and .toml.
+of '^(symbolic|src|generated|tests|examples)/.*\.(txt|csv|json|md)$' | { grep -v '/sessions/' || true; } |
+  xargs -r grep -HnE '^[ \t]*(#[ \t]*include|namespace [a-z]|template ?<|((inline|static|constexpr|const) )*(int|void|double|bool|auto|std::[a-z_]+) [A-Za-z_]+ ?[(;={])' |
+  sed -E 's/^([^:]*:[0-9]+):.*/\1: C++ in a text/' >>"$broken" || true
 mapfile -t scripts < <(of '(\.sh|\.gp|\.cmake|^setup|^\.ci/run)$')
 lines=$(cat "${scripts[@]}" | grep -cv '^[[:space:]]*$')
 printf '%-28s %7d %7d %7d %6d\n' scripts "$lines" 1500 1500 "${#scripts[@]}"
@@ -93,19 +100,29 @@ awk '
     for (i = 1; i <= roots; ++i) if (root[i] quoted[2] in is_file) to = room_of(root[i] quoted[2])
     if (to != "" && to != room && room != "" && !allowed(to))
       print FILENAME ":" FNR ": " room " may not see " to
+    beside = FILENAME
+    sub(/[^\/]*$/, quoted[2], beside)
+    if (to == "" && /include[ \t]*"/ && !(beside in is_file) && !/_files\.txt"/) print FILENAME ":" FNR ": " quoted[2] " is no file of ours: include it as <" quoted[2] ">"
     for (p in package) if (index(quoted[2], p) == 1 && room != "" && !allowed(package[p]))
       print FILENAME ":" FNR ": " room " may not see " package[p]
   }' "$here/rooms.txt" "$here/packages.txt" "${code[@]}" >>"$broken"
+# What CMake looks for, a name a line: find_package(NAME ...), pkg_check_modules(PREFIX options NAME...).
+looked_for=$(cat $(of '(CMakeLists.txt|cmake.in)$') | sed 's/#.*//' | tr '\n' ' ' |
+  grep -oiE '(find_package|find_dependency|find_library|find_path|pkg_check_modules|pkg_search_module)[ \t]*\([^)]*' |
+  sed -E 's/[ \t]*\([ \t]*/ /' | awk '{
+    if (tolower($1) !~ /^pkg_/) {print $2; next}
+    for (i = 3; i <= NF; ++i) if ($i !~ /^[A-Z_]+$/) print $i}' | grep -vx magicmass | sort -u)
+included=$(sed -nE 's/^[ \t]*#[ \t]*include[ \t]*<([^>]*)>.*/\1/p' "${code[@]}" | grep '[/.]' | sort -u || true)
 packages | while read -r _ include found debian; do
-  used=$(grep -lE "(find_package\(|pkg_check_modules\()$found[ )]" $(of 'CMakeLists.txt$') || true)
-  [[ $include == - ]] || used+=$(grep -l "#include <$include" "${code[@]}" || true)
-  [[ -z $used ]] || grep -qwF -- "$debian" <<<"$plain" || echo "setup: the plain list lacks $debian" >>"$broken"
+  if grep -qx -- "$found" <<<"$looked_for" || { [[ $include != - ]] && grep -q "^$include" <<<"$included"; }; then
+    grep -qwF -- "$debian" <<<"$plain" || echo "setup: the plain list lacks $debian" >>"$broken"
+  fi
 done
-grep -hoE '(find_package|pkg_check_modules)\([A-Za-z0-9_]+' $(of 'CMakeLists.txt$') | sed 's/.*(//' | sort -u | grep -vx magicmass | while read -r found; do
+for found in $looked_for; do
   packages | awk -v f="$found" '$3 == f {ok = 1} END {exit !ok}' ||
     echo "tests/house/packages.txt: lacks the package that CMake finds as $found" >>"$broken"
 done
-grep -hoE '^#include <[A-Za-z0-9_]+[/.][^>]*>' "${code[@]}" | sed 's/#include <//; s/>//' | sort -u | while read -r include; do
+for include in $included; do
   packages | awk -v i="$include" '$2 != "-" && index(i, $2) == 1 {ok = 1} END {exit !ok}' ||
     case $include in
       immintrin.h | arm_neon.h | wasm_simd128.h | unistd.h | sys/* | fcntl.h | poll.h | signal.h | spawn.h) ;;

@@ -32,10 +32,16 @@ fresh && printf '// %097d\n' 0 >>"$copy/symbolic/kernel/a.cpp" && expect ""
 fresh && printf '// %098d\n' 0 >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: 101 columns"
 fresh && echo 'int a = 1; int b = 2;' >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: two statements"
 fresh && mkdir "$copy/generated" && echo 'int a = 1; int b = 2;' >"$copy/generated/a.hpp" && expect "a.hpp:1: two statements"
+for two in 'void f() { if (a) { g(); } else { h(); } }' 'call([] { a(); b(); });' '  f(), g();'; do
+  fresh && echo "$two" >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp:3: two statements"
+done
+fresh && echo 'auto f = [] { for (int i = 0; i < 9; ++i) g(); };' >>"$copy/symbolic/kernel/a.cpp" && expect ""
 fresh && echo 'const char* s = "a; b";  // one; two' >>"$copy/symbolic/kernel/a.cpp" && expect ""
 fresh && echo 'int a;' >"$copy/symbolic/kernel/a.inc" && expect "a.inc: this ending"
 fresh && echo 'int a;' >"$copy/symbolic/kernel/a.ixx" && expect "a.ixx: this ending"
 fresh && echo 'int a;' >"$copy/symbolic/kernel/a.cpp.in" && expect "a.cpp.in: this ending"
+fresh && printf '\nvoid f();\n' >"$copy/symbolic/kernel/a.txt" && expect "a.txt:2: C++ in a text"
+fresh && printf 'f(x) is a function;\n' >"$copy/symbolic/kernel/a.txt" && expect ""
 fresh && mkdir "$copy/tests" && echo 'edited lost.cpp kernel' >"$copy/tests/cycle.sh" && expect "tests/cycle.sh: no file lost.cpp"
 fresh && echo '#ifdef __AVX2__' >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp: names a processor"
 fresh && echo 'int a;' >"$copy/lost.cpp" && expect "lost.cpp: is in no room"
@@ -45,9 +51,12 @@ fresh && echo '# include  "codegen/b.hpp"' >>"$copy/symbolic/kernel/a.cpp" && ex
 fresh && echo '#include "../codegen/b.hpp"' >>"$copy/symbolic/kernel/a.cpp" && expect ": .. in an include"
 fresh && echo '#include <codegen/b.hpp>' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see symbolic/codegen"
 fresh && echo '#include <../codegen/b.hpp>' >>"$copy/symbolic/kernel/a.cpp" && expect ": .. in an include"
-fresh && echo '#include "ginac/ginac.h"' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see ginac"
+fresh && echo '#include "ginac/ginac.h"' >>"$copy/symbolic/kernel/a.cpp" && expect "ginac/ginac.h is no file of ours"
 fresh && echo '#include <ginac/ginac.h>' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see ginac"
 fresh && echo '#include <boost/any.hpp>' >>"$copy/symbolic/kernel/a.cpp" && expect "lacks the package of <boost/any.hpp>"
-fresh && echo 'find_package(Boost)' >>"$copy/CMakeLists.txt" && expect "CMake finds as Boost"
+fresh && echo '# include <boost/any.hpp>' >>"$copy/symbolic/kernel/a.cpp" && expect "lacks the package of <boost/any.hpp>"
+for found in 'find_package(Boost)' 'find_package( Boost)' $'find_package(\n  Boost)' 'FIND_LIBRARY(Boost m)' 'pkg_check_modules(x REQUIRED cln Boost)'; do
+  fresh && echo "$found" >>"$copy/CMakeLists.txt" && expect "CMake finds as Boost"
+done
 fresh && sed -i 's/libeigen3-dev//' "$copy/setup" && expect "the plain list lacks libeigen3-dev"
 exit $failures
