@@ -75,7 +75,7 @@ private:
                       joined(here, "; "));
       Words row;
       for (double x : constants) row.push_back(hex(is_wide ? x / t.u : x));
-      rows[is_wide ? 3 : std::size_t(t.tier - &tiers()[0])] = "      {" + joined(row, ", ") + "}";
+      rows[is_wide ? 3 : std::size_t(t.tier - &tiers()[0])] = "{" + joined(row, ", ") + "}";
     }
   }
   void describe(const Program& program, const NumberType& t, const Analysis& a) {
@@ -131,10 +131,12 @@ private:
     line(fields("T", exact));
     line(fields("typename N::Result", results));
     if (!numbers.empty()) line(fields("N", numbers));
-    if (width > 0)
-      line("  static constexpr double bounds[4][" + std::to_string(width) +
-           "] = {  // of Fast, Accurate, Slow, Ziv\n" + joined(rows, ",\n") +
+    if (width > 0) {
+      const std::string next = width < 3 ? "" : "\n      ";
+      line("  static constexpr double bounds[4][" + std::to_string(width) + "] = {" + next +
+           joined(rows, next.empty() ? ", " : "," + next) +
            "};\n  static constexpr const double* E = bounds[Tier::number];");
+    }
     inputs_and_outputs();
     for (int stage = 1; stage <= 3; ++stage) stage_function(stage, kept);
     line("};");
@@ -163,9 +165,9 @@ private:
          " {}");
     line(inlined + Q + "Outputs outputs() const { return {" + joined(values, ", ") + "}; }");
     if (!q.has_arrays || &c != &q.cases[0]) return;
-    result.header += "  " + name + "() = default;\n  /// Which rows are in the case.\n" + inlined +
-                     "SimdMask load_inputs(const " + Q + "Columns& columns, std::size_t row) {\n" +
-                     loads + "    return " + in_case.substr(3) + ";\n  }\n";
+    result.header += "  " + name + "() = default;\n" + inlined + "SimdMask load_inputs(const " + Q +
+                     "Columns& columns, std::size_t row) {\n" + loads + "    return " +
+                     in_case.substr(3) + ";\n  }\n";
   }
   void stage_function(int stage, const std::set<int>& kept) {
     line(inlined + "void stage_" + std::to_string(stage) + "() {");
@@ -261,9 +263,7 @@ std::string structures(const Quantity& q) {
   columns.insert(columns.end(), pointers.begin(), pointers.end());
   columns.push_back(inlined + Q + "Inputs get(std::size_t row) const { return {" +
                     joined(values, ", ") + "}; }");
-  columns.push_back(
-      "  /// Of a case's outputs, or of the main case: as many rows as a register has lanes.\n" +
-      inlined + "void set(std::size_t row, const auto& out) const {\n" + set + "  }");
+  columns.push_back(inlined + "void set(std::size_t row, const auto& out) const {\n" + set + "  }");
   return values_of + structure(Q + "Columns", columns);
 }
 }  // namespace

@@ -38,6 +38,26 @@ Theorem approach_speed(Book& book) {
                                    here(chain(odd, book["power.before_Q"]), 2 * m + 1), last,
                                    linear(le(2 * m, j))}));
 }
+/// Collision j takes place as long as its bodies approach: these are j < N.
+void takes_place(Book& book) {
+  const Expr up_to_j = logic_and({le(0, k), le(k, j)}), before_N = lt(j, N());
+  const Theorem is =
+      define("takes_place", {alpha, V, j}, all(k, imp(up_to_j, lt(0, approach(k)))), 2);
+  book.show("def_takes_place",
+            "Collision j takes place if and only if the bodies of each collision up to it approach "
+            "before it:",
+            under({alpha_positive, V_positive, le(0, j)}, is));
+  const Theorem happens = book["counting.happens"], approached = assume(right(is));
+  const Theorem early = given(up_to_j, [&](const Theorem& t) {
+    return at(part(happens, 0), {{j, k}}, {t, linear(lt(k, N()), {t, assume(before_N)})});
+  });
+  const Theorem late = given(le(N(), j), [&](const Theorem& t) {
+    return at(specialize(approached, N()), {}, {linear(logic_and({le(0, N()), le(N(), j)}), {t})});
+  });
+  book.show("takes_place", "So collision j takes place if and only if it is one of the first N:",
+            tautology(iff(left(is), before_N), {is, discharge(before_N, generalize(k, early)),
+                                                discharge(right(is), late), part(happens, 1)}));
+}
 
 /// N_A = ceil(pi/psi - 1/2), N_B = ceil(pi/psi - 1) from N_A = ceil(N/2), N_B = N - N_A.
 void shares(Book& book) {
@@ -112,12 +132,11 @@ void counting(Book& book) {
   const Theorem speed = approach_speed(book);
   const Expr sine = sin(half_angle(j + 1));
   const Theorem sign =
-      book.show("takes_place",
-                "Collision j takes place if and only if its bodies approach before it, so if "
-                "and only if the sine is positive:",
+      book.show("approaches", "So they approach if and only if a sine is positive:",
                 same_sign(iff(lt(0, approach(j)), lt(0, sine)), V / sin(psi() / 2), {speed}));
   const Exprs domain{alpha_positive, V_positive};
   count(book, {"N", {alpha, V}, domain, approach, half_angle, psi(), 2 * pi() / psi(), sign});
+  takes_place(book);
   shares(book);
 }
 }  // namespace derivation

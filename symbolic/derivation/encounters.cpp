@@ -48,7 +48,7 @@ void encounters(Book& book) {
             "Collision j takes place at the time when_j, with the blocks apart_j from each other:",
             under(assumptions, both({when, distance})));
   const Theorem positive_sine =
-      tautology(lt(0, sin((j + 1) * psi() / 2)), {book["counting.takes_place"], going});
+      tautology(lt(0, sin((j + 1) * psi() / 2)), {book["counting.approaches"], going});
   know(restate(lt(0, sine(j + 1)), positive_sine));
   know(positive(rules[2]));
   book.show("when", "For a collision that takes place that is",

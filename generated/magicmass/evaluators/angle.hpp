@@ -25,11 +25,7 @@ struct AngleGeneral {
   T alpha;
   typename N::Result doubt{}, psi;
   N z, half_h, of_psi;
-  static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
-      {0x1.7d1p-53},
-      {0x1.a66p-75},
-      {0x1.7dp-98},
-      {0x1.401p+4}};
+  static constexpr double bounds[4][1] = {{0x1.7d1p-53}, {0x1.a66p-75}, {0x1.7dp-98}, {0x1.401p+4}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit AngleGeneral(const AngleInputs& in) : alpha(N::all(in.alpha)) {}
   [[gnu::always_inline]] AngleOutputs outputs() const { return {psi}; }

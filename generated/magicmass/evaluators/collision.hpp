@@ -29,7 +29,7 @@ struct CollisionSmall {
   T alpha, j;
   typename N::Result doubt{}, when, apart;
   N t, half_h, half_phase, half_sine, t2, t4;
-  static constexpr double bounds[4][6] = {  // of Fast, Accurate, Slow, Ziv
+  static constexpr double bounds[4][6] = {
       {0x1.27ap-52, 0x1.c01p-102, 0x1.84p-50, 0x1.27ap-52, 0x1.1a1p-51, 0x1.27ap-29},
       {0x1.119p-74, 0x1.7bbp-146, 0x1.636p-72, 0x1.119p-74, 0x1.028p-73, 0x1.119p-51},
       {0x1.ff7p-96, 0x1.794p-187, 0x1.948p-92, 0x1.ff7p-96, 0x1.d76p-94, 0x1.ff7p-73},
@@ -85,10 +85,7 @@ struct CollisionFirst {
   T alpha, j;
   typename N::Result doubt{}, when, apart;
   N t1, of_when;
-  static constexpr double bounds[4][2] = {  // of Fast, Accurate, Slow, Ziv
-      {0x0p+0, 0x0p+0},
-      {0x0p+0, 0x0p+0},
-      {0x0p+0, 0x0p+0},
+  static constexpr double bounds[4][2] = {{0x0p+0, 0x0p+0}, {0x0p+0, 0x0p+0}, {0x0p+0, 0x0p+0},
       {0x1.001p+0, 0x1.001p+0}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit CollisionFirst(const CollisionInputs& in) :

@@ -25,7 +25,7 @@ struct CountsSmall {
   T alpha, N_A, N_B;
   typename N::Result doubt{};
   N half_h, t4, rest, to_next;
-  static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
+  static constexpr double bounds[4][4] = {
       {0x1.801p-52, 0x1.f2dp-54, 0x1.801p-52, 0x1.8f1p-54},
       {0x1.801p-52, 0x1.147p-75, 0x1.801p-52, 0x1.ba5p-76},
       {0x1.801p-52, 0x1.54ap-98, 0x1.801p-52, 0x1.12dp-98},

@@ -23,11 +23,7 @@ struct DeficientGeneral {
   T k;
   typename N::Result doubt{}, beta_;
   N deficient_sine, of_beta_;
-  static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
-      {0x1.494p-54},
-      {0x1.cep-76},
-      {0x1.83bp-98},
-      {0x1.b75p+3}};
+  static constexpr double bounds[4][1] = {{0x1.494p-54}, {0x1.cep-76}, {0x1.83bp-98}, {0x1.b75p+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit DeficientGeneral(const DeficientInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] DeficientOutputs outputs() const { return {beta_}; }

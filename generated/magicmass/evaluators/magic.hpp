@@ -23,11 +23,7 @@ struct MagicGeneral {
   T k;
   typename N::Result doubt{}, alpha_;
   N magic_sine, of_alpha_;
-  static constexpr double bounds[4][1] = {  // of Fast, Accurate, Slow, Ziv
-      {0x1.232p-54},
-      {0x1.94ap-76},
-      {0x1.ae4p-98},
-      {0x1.84p+3}};
+  static constexpr double bounds[4][1] = {{0x1.232p-54}, {0x1.94ap-76}, {0x1.ae4p-98}, {0x1.84p+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit MagicGeneral(const MagicInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] MagicOutputs outputs() const { return {alpha_}; }

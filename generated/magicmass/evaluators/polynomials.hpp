@@ -12,7 +12,9 @@ namespace magicmass::generated {
 using arithmetic::load, arithmetic::rounded_by, arithmetic::Simd, arithmetic::SimdMask,
     arithmetic::size_of, arithmetic::store, arithmetic::to_real, arithmetic::to_whole;
 /// Its visit<is_wide>(in, f) is f.operator()<Case>() of the inputs' case, or 1: a doubt. Wide:
-///   without over- and underflow, as MPFR's numbers are.
+///   without over- and underflow, as MPFR's numbers are. Main is the case of arrays: set() takes a
+///   register's rows, or one, load_inputs() says which are in the case. Bounds: a row a tier, by
+///   its number.
 template <class I, class O, class C = void>
 struct Evaluator {
   using Inputs = I;

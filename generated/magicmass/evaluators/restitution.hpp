@@ -35,7 +35,7 @@ struct RestitutionGeneral {
   typename N::Result doubt{}, a_end, b_end, c_end, rho_end;
   N all_e, side_e, root_e, loss_e, share_e, z_e, t20, sine_e, t26, distance, to_next, span_e,
       left_e, next_e, power_e, last_reach_e, open_reach_e, last_sine_e, open_sine_e, t37;
-  static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
+  static constexpr double bounds[4][4] = {
       {0x1.801p-52, 0x1.5abp-51, 0x1.801p-52, 0x1.2f6p-51},
       {0x1.801p-52, 0x1.fe8p-67, 0x1.801p-52, 0x1.bebp-67},
       {0x1.801p-52, 0x1.f74p-67, 0x1.801p-52, 0x1.b86p-67},

@@ -21,7 +21,6 @@ struct TerminalColumns {
   std::int64_t *N_A, *N_B;
   double *a_t, *b_t, *c_t, *rho;
   [[gnu::always_inline]] TerminalInputs get(std::size_t row) const { return {alpha[row]}; }
-  /// Of a case's outputs, or of the main case: as many rows as a register has lanes.
   [[gnu::always_inline]] void set(std::size_t row, const auto& out) const {
     store(N_A + row, out.N_A);
     store(N_B + row, out.N_B);
@@ -45,7 +44,7 @@ struct TerminalSmall {
   T alpha, N_A, N_B;
   typename N::Result doubt{}, a_t, b_t, c_t, rho;
   N w, t, half_h, t4, rest, to_next, rest_sine, rest_cosine;
-  static constexpr double bounds[4][12] = {  // of Fast, Accurate, Slow, Ziv
+  static constexpr double bounds[4][12] = {
       {0x1.2ap-52, 0x1.5adp-106, 0x1.e08p-53, 0x1.c94p-53, 0x1.6f5p-52, 0x1.e08p-51, 0x1.c94p-51,
           0x1.985p-105, 0x1.801p-52, 0x1.f2dp-54, 0x1.801p-52, 0x1.8f1p-54},
       {0x1.516p-74, 0x1.bcap-150, 0x1.053p-74, 0x1.06p-74, 0x1.9cdp-74, 0x1.053p-72, 0x1.06p-72,
@@ -60,7 +59,6 @@ struct TerminalSmall {
   [[gnu::always_inline]] TerminalOutputs outputs() const { return {N::to_whole(N_A),
       N::to_whole(N_B), a_t, b_t, c_t, rho}; }
   TerminalSmall() = default;
-  /// Which rows are in the case.
   [[gnu::always_inline]] SimdMask load_inputs(const TerminalColumns& columns, std::size_t row) {
     alpha = load<Simd>(columns.alpha + row);
     return (alpha >= 0x1p-100) & (alpha <= 0x1.fffffffffffffp-1);
@@ -121,7 +119,7 @@ struct TerminalFirst {
   T alpha;
   typename N::Result doubt{}, a_t, b_t, c_t, rho;
   N of_a_t, t2, of_b_t, t4, of_c_t, of_rho;
-  static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
+  static constexpr double bounds[4][4] = {
       {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
       {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
       {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},

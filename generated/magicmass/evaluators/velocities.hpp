@@ -22,7 +22,6 @@ struct VelocitiesColumns {
   double *a, *b, *c, *c_prime;
   [[gnu::always_inline]] VelocitiesInputs get(std::size_t row) const { return {alpha[row], n[row]};
       }
-  /// Of a case's outputs, or of the main case: as many rows as a register has lanes.
   [[gnu::always_inline]] void set(std::size_t row, const auto& out) const {
     store(a + row, out.a);
     store(b + row, out.b);
@@ -43,7 +42,7 @@ struct VelocitiesSmall {
   T alpha, n, t2;
   typename N::Result doubt{}, a, b, c, c_prime;
   N w, t, half_h, phase, sine, cosine;
-  static constexpr double bounds[4][7] = {  // of Fast, Accurate, Slow, Ziv
+  static constexpr double bounds[4][7] = {
       {0x1.466p-52, 0x1.466p-52, 0x1.ap-104, 0x1.685p-51, 0x1.928p-51, 0x1.314p-50, 0x1.044p-50},
       {0x1.339p-74, 0x1.339p-74, 0x1.719p-148, 0x1.4acp-73, 0x1.798p-73, 0x1.1c4p-72, 0x1.e5cp-73},
       {0x1.0cp-95, 0x1.086p-95, 0x1.11p-190, 0x1.39fp-94, 0x1.54ap-94, 0x1.021p-93, 0x1.b45p-94},
@@ -53,7 +52,6 @@ struct VelocitiesSmall {
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
   [[gnu::always_inline]] VelocitiesOutputs outputs() const { return {a, b, c, c_prime}; }
   VelocitiesSmall() = default;
-  /// Which rows are in the case.
   [[gnu::always_inline]] SimdMask load_inputs(const VelocitiesColumns& columns, std::size_t row) {
     alpha = load<Simd>(columns.alpha + row);
     n = to_real(load<SimdMask>(columns.n + row));
@@ -105,7 +103,7 @@ struct VelocitiesFirst {
   T alpha, n;
   typename N::Result doubt{}, a, b, c, c_prime;
   N per_mass, of_a, t2, of_b, of_c, t4, of_c_prime;
-  static constexpr double bounds[4][4] = {  // of Fast, Accurate, Slow, Ziv
+  static constexpr double bounds[4][4] = {
       {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
       {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
       {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},

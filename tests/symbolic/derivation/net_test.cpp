@@ -205,6 +205,11 @@ bool truth(Expr f, const Point& point) {
       if (!holds(kernel::open(f, x))) return false;
     return true;
   }
+  if (f.name() == "takes_place") {
+    for (int i = 0; i <= value(parts[2], point); ++i)
+      if (!holds(kernel::lt(0, kernel::fun("approach", {parts[0], parts[1], i})))) return false;
+    return true;
+  }
   const std::vector<cl_R> x = of_impact(f, point);
   const cl_R before = x[1] * x[3] + x[2] * x[4], after = x[1] * x[5] + x[2] * x[6];
   return sign(before, after) == 0 && sign(x[6] - x[5], x[0] * (x[3] - x[4])) == 0 &&
