@@ -71,7 +71,7 @@ Program magicmass() {
        .example = "magicmass ratios --count 10 --digits 30",
        .options = {{"count", "K", "how many, 10 unless told otherwise"},
                    digits,
-                   {"polynomials", "", "of least degree that they are roots of"}},
+                   {"polynomials", "", "of least degree; where - stands no square roots exist"}},
        .run = answers::ratios},
       {.name = "equal",
        .summary = "Decides whether two expressions are equal",

@@ -55,6 +55,7 @@ bends() {
 }
 {
   for path in "$room"/*.cpp; do guards "$path" 'refuse\(' 'void refuse' 's/refuse(/ignore(/'; done
+  for path in "$room"/*.cpp; do guards "$path" '^ *(check_[a-z_]*|sorts_of)\(.*\);$' '^$' 's/[a-z_]*(.*);/;/'; done
   # Of names, the reasons why one is none are guards, too.
   guards "$room/names.cpp" 'return (read_as_index|name \+|it->second|"\\"")' 'could be read' 's/return .*;/;/'
   bends

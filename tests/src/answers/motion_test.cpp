@@ -29,10 +29,12 @@ law::ThreeBodies<cl_RA> bodies(const cl_RA& alpha, const cl_RA& e) {
   return {1, 1, alpha, e, {1, 0, 0}, {0, 1, 0}};
 }
 std::string shown(const cl_RA& exact) { return real_cell(cln::double_approx(exact)).text; }
-Row asked(const std::string& alpha, const std::string& e, const std::string& tier = "accurate") {
+/// A row of tier exact: counts or n, then numbers.
+Row asked(Answer (*command)(const Request&), const std::string& alpha, const std::string& option,
+          const std::string& value) {
   Request request;
-  request.options = {{"alpha", alpha}, {"restitution", e}, {"tier", tier}};
-  return answers::terminal(request).table.rows[0];
+  request.options = {{"alpha", alpha}, {option, value}, {"tier", "exact"}};
+  return command(request).table.rows[0];
 }
 cl_RA value(const Polynomial& p, double x) {
   cl_RA sum = 0;
@@ -93,13 +95,28 @@ TEST_CASE("tier exact is in fractions") {
     auto steps = bodies(mass, *fraction_of(alpha_of(e)));
     while (steps.approach() > 0) steps.collide();
     const auto& [a, b, c] = steps.v;
-    const Row row = asked(alpha, e, "exact");
+    const Row row = asked(answers::terminal, alpha, "restitution", e);
     const cl_RA values[]{a, b, c, b * b};
     const Trio trio = Trio::equal_blocks(value_of(mass), value_of(alpha_of(e)));
     const Row near = rounded([&] { return answers::terminal(trio, steps.N); });
     for (std::size_t i = 0; i < 4; ++i) {
       CHECK(row[4 + i].text == kernel::digits(values[i]));
       CHECK(near[i].text == shown(values[i]));
+    }
+  }
+}
+TEST_CASE("tier exact is the oracle's fractions") {
+  for (const char* alpha : {"1/7", "0.1", "3", "1", "12/5001", "1/1000"}) {
+    const cl_RA mass = *fraction_of(alpha_of(alpha));
+    const oracle::Counts N = oracle::count_collisions(mass);
+    const auto is = [&](const Row& row, std::size_t first, const std::vector<cl_RA>& expected) {
+      for (std::size_t i = 0; i < 4; ++i)
+        CHECK(row.at(first + i).text == kernel::digits(expected[i]));
+    };
+    is(asked(answers::terminal, alpha, "restitution", "1"), 4, oracle::AtEnd(N)(mass));
+    for (const cln::cl_I& n : {cln::cl_I(0), cln::cl_I(1), N.N_B, N.N_A}) {
+      CAPTURE(alpha, kernel::digits(n));
+      is(asked(answers::eval, alpha, "n", kernel::digits(n)), 3, oracle::OfCycle(n)(mass));
     }
   }
 }

@@ -206,6 +206,8 @@ std::size_t check(const codegen::Quantity& q, const codegen::Case& c,
   REQUIRE_FALSE(bounds.empty());
   for (const auto& [bound, margin] : margins<Tier>(q, c, bounds)) {
     INFO(bound << ": printed over found: " << margin);
+    std::printf("%s, %s, %s: printed over found %.3f\n", name.c_str(), tier.c_str(), bound.c_str(),
+                margin);
     CHECK(margin >= 1 - 0x1p-40);  // its own roundings
     // Terms that are largest at other points are taken into these: a longer sum.
     CHECK(margin < (q.name == "restitution" && bound.starts_with("OUTPUT") ? 8 : 2));

@@ -166,6 +166,8 @@ void check(const std::vector<Entry>& entries, int rows, Shares halved = {0.5, 0.
     CHECK(most.low <= 1);
   }
   INFO(entries[0].name);
+  std::printf("%s: of what is allowed at most %.3f is lost, low parts %.3f\n", entries[0].name,
+              most.loss, most.low);
   CHECK(most.loss > halved.loss);
   CHECK(most.low > halved.low);
 }

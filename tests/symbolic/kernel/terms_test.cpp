@@ -124,6 +124,7 @@ TEST_CASE("sorts are checked wherever a tree is made") {
   refused("a number with an argument", "with 1 arguments", made({.args = {x}}));
   refused("a sum of nothing", "with 0 arguments", made({.op = Op::Add}));
   refused("a bound index below 0", "no such bound", made({.op = Op::Bound, .index = -1}));
+  refused("bound index 1001", "no such bound", made({.op = Op::Bound, .index = 1001}));
   refused("a bound formula", "a bound number", made({.op = Op::Bound, .variable = Sort::Bool}));
   refused("for every formula", "a bound number",
           made({.op = Op::All, .args = {eq(x, 1)}, .variable = Sort::Bool}));
@@ -157,6 +158,7 @@ TEST_CASE("a loose index gets into no theorem") {
   refused("as a property", "least integer", least({}, n, 0, eq(loose, 0)));
   refused("as a bound", "least integer", least({}, n, loose, eq(n, 0)));
   refused("replaced", "loose index", [] { replace(eq(x, 0), loose, x); });
+  refused("in place of x", "loose index", [] { replace(eq(x, 0), x, loose); });
   refused("opened", "loose index", [] { open(all(x, all(y, eq(x, y))).arg(0), 1); });
   refused("printed", "loose index", [] { text(eq(loose, 0)); });
   refused("as a power", "must be a formula", [] { matrix_power(matrix(1, {1}), loose); });
@@ -169,6 +171,7 @@ TEST_CASE("what is too large is refused, not computed") {
   refused("x^2^32", "exponent above", [] { arithmetic(eq(power(power(x, 65536), 65536), x), {}); });
   refused("monomials", "a million monomials", [] { polynomial(power(x + y + pi() + i + n, 40)); });
   refused("6 million bits", "a million bits", [] { polynomial(power(power(Expr(9), 2000), 999)); });
+  refused("below", "a million bits", [] { polynomial(power(power(Expr(1) / 9, 2000), 999)); });
   refused("too many cases", "more than 20000 cases", [] {
     Exprs parts, turned;
     for (int k = 0; k < 20; ++k) {
@@ -245,6 +248,7 @@ TEST_CASE("matrices stand only where they fit") {
   const auto by = [](const Certificate& c) { return [=] { arithmetic(eq(0, 0), c); }; };
   refused("a product that does not fit", "do not fit", [] { times(a, transpose(wide)); });
   refused("equal shapes only", "two shapes", [] { eq(a, wide); });
+  refused("other rows", "two shapes", [] { eq(a, matrix(2, {1, 2})); });
   refused("equal shapes only, turned", "two shapes", [] { eq(wide, transpose(wide)); });
   refused("a matrix and a number", "where a", [] { eq(a, 1); });
   refused("a number and a matrix", "where a", [] { eq(1, a); });
@@ -265,11 +269,15 @@ TEST_CASE("matrices stand only where they fit") {
   refused("a determinant of 6 entries", "square", [] { det(wide); });
   refused("a real power", "needs an integer", [] { power(a, x); });
   refused("no such row", "no such entry", [] { entry(a, 2, 0); });
+  refused("row -1", "no such entry", [] { entry(a, -1, 1); });
   refused("no such column", "no such entry", [] { entry(a, 0, -1); });
+  refused("third column of two", "no such entry", [] { entry(a, 0, 2); });
   refused("an entry of a number", "a matrix is needed", [] { entry(x, 0, 0); });
   refused("an entry of a sum", "that entry() computes", made({.op = Op::Entry, .args = {a}}));
   refused("fifth entry", "no such entry", made({.op = Op::Entry, .args = {turned(x)}, .index = 4}));
+  refused("entry -1", "no such entry", made({.op = Op::Entry, .args = {turned(x)}, .index = -1}));
   refused("9 rows", "more than 8", [] { matrix(1, Exprs(9, x)); });
+  refused("9 columns", "more than 8", [] { matrix(9, Exprs(9, x)); });
   refused("9 by a product", "more than 8", [] { times(matrix(1, Exprs(9, x)), matrix(1, {1})); });
   refused("det of 7 rows", "more than 6 rows", [] { polynomial(det(matrix(7, Exprs(49, x)))); });
   refused("arithmetic of matrices", "not a polynomial", [] { arithmetic(eq(a, a), {}); });

@@ -56,6 +56,8 @@ inline const std::vector<Family> families{
      }},
     {"far magic neighbours",
      [](Random& r) { return some_neighbour(r, accurate::ratios(some_whole(r, 0x1p50)).magic, 3); }},
+    {"above 2^32 cycles", [](Random& r) { return log_uniform(r, 1e-24, 6e-20); }},
+    {"near 2^53 cycles", [](Random& r) { return log_uniform(r, 1.2e-32, 1.9e-32); }},
     {"near powers of 2 less 1",
      [](Random& r) { return some_neighbour(r, std::ldexp(1.0, int(1 + r() % 53)) - 1, 1); }},
     {"closest to thresholds, and 1", [](Random& r) {
