@@ -6,6 +6,8 @@
 #include <fstream>
 #include <system_error>
 
+#include <unistd.h>
+
 #include "magicmass/numbers/errors.hpp"
 
 namespace magicmass::scenes {
@@ -13,8 +15,7 @@ namespace {
 
 /// A key of many parts, or values nested deep: the parser's recursion would not end well.
 bool is_too_deep(std::string_view text) {
-  int parts = 0;
-  int depth = 0;
+  int parts = 0, depth = 0;
   for (const char c : text) {
     if (c == '\n' || c == '=' || c == ',') parts = 0;
     if (c == '.') ++parts;
@@ -49,7 +50,7 @@ std::string text_of(const std::string& path, const std::string& allowed, std::si
   std::ifstream file(path == "-" ? "/dev/stdin" : path, std::ios::binary);
   std::string text(longest + 1, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file.is_open() || file.bad() || (file.fail() && !file.eof()))
+  if ((path == "-" && ::read(STDIN_FILENO, nullptr, 0) < 0) || (file.fail() && !file.eof()))
     throw InvalidInput("cannot read " + shown + ": " + std::generic_category().message(errno) +
                        "; allowed: " + allowed);
   text.resize(static_cast<std::size_t>(file.gcount()));
