@@ -16,6 +16,8 @@ using magicmass::Undecided;     ///< exit code 3
 template <class Thrown, class Instead = Thrown>
 auto with_place(const std::string& before, const auto& action) try {
   return action();
+} catch (const std::bad_alloc&) {
+  throw;  // no place is to blame
 } catch (const Thrown& error) {
   throw Instead(before + error.what());
 }

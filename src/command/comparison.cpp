@@ -82,11 +82,9 @@ Table comparisons(std::string_view paper_numbers) {
   Table all{{"label", "number", "printed", "ours", "verdict", "reason"}, {}};
   bool is_header = true;
   for (std::string line; std::getline(lines, line);) {
-    if (line.empty() || line.front() == '#') continue;
-    if (!is_header)
-      all.rows.push_back(with_place<std::exception, std::runtime_error>(
-          "paper_numbers.csv: " + line + ": ", [&] { return compared(line); }));
-    is_header = false;
+    if (line.empty() || line.front() == '#' || std::exchange(is_header, false)) continue;
+    all.rows.push_back(with_place<std::exception, std::runtime_error>(
+        "paper_numbers.csv: " + line + ": ", [&] { return compared(line); }));
   }
   return all;
 }

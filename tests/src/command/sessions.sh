@@ -3,7 +3,7 @@
 # Replays sessions: sessions.sh [--update] FOLDER NAME=PROGRAM... A session is FOLDER/sessions/*.txt, or session.txt of a
 # chapter of tutorials/, which is at hand: after each line "$ COMMAND" what it prints, stderr too, and "[exit N]" where N is
 # not 0. --update writes what is printed now.
-# FOLDER/refusals.tsv: a command, a tab, a part of its message: one line on stderr, exit code 2, nothing on stdout, no file.
+# src/command/BOUNDS.md: what each step beyond says. FOLDER/refusals.tsv: a command, a tab, a part of its message: one line on stderr, exit code 2, nothing on stdout, no file.
 set -euo pipefail
 export LC_ALL=C
 update=
@@ -61,4 +61,23 @@ while IFS=$'\t' read -r command part; do
     failed=1
   fi
 done <"$folder/refusals.tsv"
+
+# Rows of BOUNDS.md: the largest that is answered, seconds, MiB, a step beyond it, exit code, what it says.
+expect() { # command, exit code, what it says
+  local said status=0
+  rm -rf "$scratch/place" && mkdir "$scratch/place" && cd "$scratch/place"
+  said=$(bash -c "${1:1:-1}" </dev/null 2>&1) || status=$?
+  [[ $status == "$2" && $said == *"$3"* ]] && return
+  printf 'BOUNDS.md: %s: exit %s, %s\n' "$1" "$status" "${said:0:400}"
+  failed=1
+}
+rows=0
+while IFS='|' read -r _ largest seconds _ beyond status says _; do
+  [[ -z ${ASAN_OPTIONS-} && $largest == *magicmass* && $beyond == *magicmass* ]] || continue
+  read -r largest <<<"$largest" && read -r beyond <<<"$beyond" && read -r says <<<"$says"
+  expect "$beyond" $status "$says"
+  ((${seconds%.*} >= 2)) || expect "$largest" 0 ""
+  ((rows += 1))
+done <"$folder/../../../src/command/BOUNDS.md"
+((rows > 20)) || [[ ${ASAN_OPTIONS-} ]] || failed=1
 exit $failed
