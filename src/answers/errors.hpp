@@ -26,8 +26,8 @@ auto given_by_user(const std::string& before, const auto& action) {
   return with_place<kernel::Refused, InvalidInput>(before, action);
 }
 
-/// Printable ASCII as it is, other bytes as \xHH, so that no terminal obeys them; cut with "..."
-/// after so many bytes; "(nothing)" where there are none.
+/// Printable ASCII, Greek letters and signs of formulas as they are, other bytes as \xHH, so that
+/// no terminal obeys them; cut with "..." after so many bytes; "(nothing)" where there are none.
 std::string shown_text(std::string_view text, std::size_t longest = 60);
 
 /// A text of each: texts_of(figures, &Figure::name).

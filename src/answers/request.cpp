@@ -47,12 +47,18 @@ std::string shown_text(std::string_view text, std::size_t longest) {
   constexpr std::string_view hex = "0123456789abcdef";
   if (text.empty()) return "(nothing)";
   std::string shown;
-  for (const char character : text.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(character);
-    if (byte >= 0x20 && byte < 0x7f)
-      shown += character;
+  const auto byte = [&](std::size_t at) {
+    return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+  };
+  const auto goes_on = [&](std::size_t at) { return (byte(at) & 0xc0U) == 0x80; };
+  for (std::size_t i = 0, size = 1; i < std::min(text.size(), longest); i += size) {
+    const bool is_greek = byte(i) / 2 == 0x67 && goes_on(i + 1);
+    const bool is_sign = byte(i) == 0xe2 && byte(i + 1) > 0x81 && goes_on(i + 1) && goes_on(i + 2);
+    size = is_greek ? 2 : is_sign ? 3 : 1;
+    if (size > 1 || (byte(i) >= 0x20 && byte(i) < 0x7f))
+      shown += text.substr(i, size);
     else
-      shown += {'\\', 'x', hex[byte / 16U], hex[byte % 16U]};
+      shown += {'\\', 'x', hex[byte(i) / 16], hex[byte(i) % 16]};
   }
   return text.size() > longest ? shown + "..." : shown;
 }

@@ -22,7 +22,8 @@ notation::Typed typed(const Terms& terms, const std::string& text, std::size_t l
     const notation::Typed read = terms.typed(text, notes);
     for (Expr side : {read.term, read.right ? read.right : read.term}) {
       if (kernel::is_matrix(side)) kernel::refuse("a matrix");
-      if (const std::string other = terms.foreign(side); !other.empty()) kernel::refuse(other);
+      if (const std::string other = terms.foreign(side, text); !other.empty())
+        kernel::refuse(other);
     }
     return read;
   });

@@ -31,14 +31,6 @@ std::string with_numbers(const Exercise& e, const std::string& text) {
   return notation::typed_text(terms.in_full(terms.content(text)));
 }
 
-Judgement judge_form(const Terms& terms, const std::string& text, Expr typed) {
-  const std::string& form = terms.exercise.form;
-  const auto lack = lacking(form, typed, terms.domain(notation::symbols_of(typed)));
-  if (!lack) return {Mark::right, "Right."};
-  return {Mark::other_form, "Equal to the answer, but not in the form asked for (" + form +
-                                "): " + terms.quoted(text, lack->part) + lack->why + "."};
-}
-
 Judgement judge_expression(const Exercise& e, const std::string& text, Texts& notes) {
   const Terms terms(e);
   const Texts sides = split(text, '=');
@@ -53,7 +45,7 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
   const Expr typed = terms.typed_for_name(sides.size() > 2 ? equation(sides.back()) : text, notes);
   if (is_prediction && kernel::is_matrix(typed)) kernel::refuse("a number is asked for");
   const Expr given = terms.in_full(typed);
-  if (const std::string foreign = terms.foreign(typed); !foreign.empty()) {
+  if (const std::string foreign = terms.foreign(typed, text); !foreign.empty()) {
     Judgement said = terms.mistake(given, "");
     if (said.feedback.empty()) kernel::refuse(foreign);
     return said;
@@ -61,8 +53,12 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
   const Expr expected = terms.in_full(terms.answer());
   Judgement said = terms.compare(given, expected);
   notes.insert(notes.end(), said.notes.begin(), said.notes.end());
-  if (said.mark == Mark::right)
-    return is_prediction ? Judgement{Mark::right, happens} : judge_form(terms, text, typed);
+  if (said.mark == Mark::right) {
+    const auto lack = lacking(e.form, typed, terms.domain(notation::symbols_of(typed)));
+    if (is_prediction || !lack) return {Mark::right, is_prediction ? happens : "Right."};
+    return {Mark::other_form, "Equal to the answer, but not in the form asked for (" + e.form +
+                                  "): " + terms.quoted(text, lack->part) + lack->why + "."};
+  }
   if (said.mark != Mark::wrong) return said;
   if (is_prediction && !e.within.empty()) {
     const Expr gap = notation::call("abs", given - expected);

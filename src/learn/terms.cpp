@@ -152,7 +152,7 @@ Expr Terms::answer() const {
   return exercise.answer_from.empty() ? content(exercise.answer) : from_step(exercise.answer_from);
 }
 
-std::string Terms::foreign(Expr term) const {
+std::string Terms::foreign(Expr term, const std::string& typed) const {
   Texts names;
   for (const std::string& name : notation::symbols_of(term))
     if (!known.contains(name)) names.push_back(name);
@@ -163,9 +163,7 @@ std::string Terms::foreign(Expr term) const {
   std::string other = notation::alike(names[0], symbols);
   if (other.empty()) other = notation::parted(names[0], symbols);
   replace_all(other, " ", "*");
-  const auto shown = [](const std::string& name) {
-    return notation::typed_text(notation::symbol(name));
-  };
+  const auto shown = [&](const std::string& name) { return quoted(typed, notation::symbol(name)); };
   return answers::joined(answers::texts_of(names, shown)) + (names.size() == 1 ? " has" : " have") +
          " no place here: " +
          (symbols.empty() ? "a number is asked for"

@@ -26,7 +26,7 @@ public:
   /// In full, with what the book says of all names: a_t, t_j, N_A.
   Expr in_book(Expr term) const;
   /// Names that an answer has no right to, "" where there are none: with what is allowed.
-  std::string foreign(Expr term) const;
+  std::string foreign(Expr term, const std::string& typed = "") const;
   Expr in_full(Expr term) const;  ///< with values and the meanings of the paper's names
   /// Terms in full: right, wrong or undecided. "At alpha = 1 yours is 2; it should be 3."
   Judgement compare(Expr given, Expr expected) const;

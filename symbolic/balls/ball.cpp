@@ -46,7 +46,6 @@ Ball::Ball(const cl_RA& q) : middle(cln::floor1(scaled(q, bits_))), radius(1) {
   if (scaled(q, bits_) == middle) radius = 0;
 }
 Ball operator+(const Ball& a, const Ball& b) { return {a.middle + b.middle, a.radius + b.radius}; }
-Ball operator-(const Ball& a, const Ball& b) { return {a.middle - b.middle, a.radius + b.radius}; }
 Ball operator*(const Ball& a, const Ball& b) {
   if (a.is_zero() || b.is_zero()) return 0;
   const cl_I error =
@@ -227,9 +226,6 @@ const cl_I& Quadratic::common(const Quadratic& x, const Quadratic& y) {
 
 Quadratic operator+(const Quadratic& x, const Quadratic& y) {
   return {x.a_ + y.a_, x.b_ + y.b_, Quadratic::common(x, y)};
-}
-Quadratic operator-(const Quadratic& x, const Quadratic& y) {
-  return {x.a_ - y.a_, x.b_ - y.b_, Quadratic::common(x, y)};
 }
 Quadratic operator*(const Quadratic& x, const Quadratic& y) {
   const cl_I& d = Quadratic::common(x, y);

@@ -52,7 +52,7 @@ public:
   friend bool operator<(const Ball& a, const Ball& b) { return !(b <= a); }
   friend bool operator>(const Ball& a, const Ball& b) { return !(a <= b); }
   friend Ball operator+(const Ball& a, const Ball& b);
-  friend Ball operator-(const Ball& a, const Ball& b);
+  friend Ball operator-(const Ball& a, const Ball& b) { return a + -b; }
   friend Ball operator*(const Ball& a, const Ball& b);
   /// Throws NotCertain where b may be 0.
   friend Ball operator/(const Ball& a, const Ball& b);
@@ -91,7 +91,8 @@ public:
   /// division by 0, and a root of what is negative or has a root itself.
   static Quadratic sqrt(const Quadratic& x);
   friend Quadratic operator+(const Quadratic& x, const Quadratic& y);
-  friend Quadratic operator-(const Quadratic& x, const Quadratic& y);
+  Quadratic operator-() const { return {-a_, -b_, d_}; }
+  friend Quadratic operator-(const Quadratic& x, const Quadratic& y) { return x + -y; }
   friend Quadratic operator*(const Quadratic& x, const Quadratic& y);
   friend Quadratic operator/(const Quadratic& x, const Quadratic& y);
   friend bool operator<(const Quadratic& x, const Quadratic& y) { return compared(x, y) < 0; }

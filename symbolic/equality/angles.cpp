@@ -6,10 +6,6 @@ namespace equality {
 namespace {
 constexpr int most_parts = 12;  // q of q (left - right), a whole number of turns
 
-void collect(Expr e, std::set<Expr>& angles) {
-  for (Expr arg : e.args()) collect(arg, angles);
-  if (is_arcus(e)) angles.insert(e);
-}
 // The denominator of all multiples of angles, 0 where there are none.
 int parts_of(const Sum& sum) {
   cln::cl_I parts = 1;
@@ -112,10 +108,6 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
 }
 
 Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common) {
-  std::set<Expr> ours;
-  std::set<Expr> theirs;
-  collect(left, ours);
-  collect(right, theirs);
   kernel::Substitution same;
   const auto try_multiple = [&](Expr angle, Expr other, const cln::cl_RA& q) {
     Expr guess = Expr(q) * other;
@@ -125,11 +117,12 @@ Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vect
     if (*halves != 0) guess = guess + Expr(*halves) * kernel::pi();
     return is_same_angle(angle, guess, domain, common) && same.emplace(angle, guess).second;
   };
-  for (Expr angle : theirs)
-    for (Expr other : ours)
+  for (Expr angle : parts_of(right))
+    for (Expr other : parts_of(left))
       for (const cln::cl_RA& q : {cln::cl_RA(1), cln::cl_RA(2), cln::cl_RA(1) / 2, cln::cl_RA(-1),
                                   cln::cl_RA(-2), cln::cl_RA(-1) / 2}) {
-        if (angle == other || same.contains(angle) || common.empty()) break;
+        const bool are_angles = is_arcus(angle) && is_arcus(other) && angle != other;
+        if (!are_angles || same.contains(angle) || common.empty()) break;
         is_proved([&] { return try_multiple(angle, other, q); });
       }
   for (const auto& [angle, guess] : same) right = kernel::replace(right, angle, guess);

@@ -191,9 +191,24 @@ struct Roots {
         return;
   }
 };
-void collect_sines(Expr e, Exprs& sines) {
-  if (is_sine(e)) sines.push_back(e);
-  for (Expr part : e.args()) collect_sines(part, sines);
+// 0 < e or 0 <= e of a quadratic polynomial: squares, one symbol after the other, and what is left.
+std::optional<Theorem> by_squares(Expr e) {
+  for (bool strict : {true, false})
+    if (const auto sign = algebra::sign_of(e, {}, strict)) return sign;
+  for (Expr x : kernel::free_variables(e)) {
+    const auto [a, b, c] = quadratic_in(e, x);
+    const auto top = notation::rational_value(kernel::canonical(a));
+    if (!top || *top <= 0) continue;
+    const Expr square = kernel::power(x + Expr(1 / (2 * *top)) * b, 2);
+    const Expr others = kernel::canonical(e - Expr(*top) * square);
+    if (kernel::free_variables(others).contains(x)) continue;
+    const auto rest = by_squares(others);
+    if (!rest) continue;
+    const bool is_strict = rest->conclusion().op() == Op::Lt;
+    return algebra::linear(is_strict ? kernel::lt(0, e) : kernel::le(0, e),
+                           {*rest, *algebra::sign_of(square, {}, false)});
+  }
+  return {};
 }
 // How much there is to multiply out of roots, and of sine and cosine of pi/d.
 cln::cl_I work(Expr e, const cln::cl_I& d) {
@@ -215,8 +230,8 @@ void name_bases(Expr e, kernel::Substitution& names) {
 }
 // Sines of parts of pi by those of one part; false where they are too much.
 bool add_sines(Expr e, Roots& roots) {
-  Exprs sines;
-  collect_sines(e, sines);
+  Exprs sines = parts_of(e);
+  std::erase_if(sines, std::not_fn(is_sine));
   cln::cl_I d = 1;
   for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
   const int most = cln::mod(d, 15) == 0 ? most_work_of_15 : most_work;
@@ -255,6 +270,11 @@ std::string certified(Expr left, Expr right, std::vector<Requirement> needs, con
     const Expr goal = kernel::eq(named(left), named(right)), both = goal.arg(0) - goal.arg(1);
     Roots roots{Forms(narrowed(domain, needs))};
     Theorems& facts = roots.facts;
+    for (Expr e : parts_of(goal)) {
+      if (e.op() != Op::Add) continue;
+      for (Expr side : {e, kernel::canonical(-e)})
+        if (const auto sign = by_squares(side)) facts.push_back(*sign);
+    }
     for (const Requirement& r : needs) {
       is_proved([&] { return roots.forms.assume(r), true; });
       if (!is_constant(r.term)) facts.push_back(kernel::assume(formula(r)));

@@ -15,18 +15,13 @@ constexpr int largest_denominator = 1000;
 constexpr const char* no_difference = "normal form: the difference of both sides is 0";
 constexpr int most_cases = 30;  // integers that are put in one by one
 
-std::optional<cln::cl_RA> fraction(Expr constant) {
-  if (const auto value = notation::rational_value(constant)) return value;
-  const Value value = value_at({}, constant);
-  if (!value.ball) return {};
-  const auto near = near_fraction(value.ball->low(), largest_denominator);
-  return near && exact_sign(constant - Expr(*near)) == 0 ? near : std::nullopt;
-}
 std::string shown(Expr constant) {
-  if (const auto exact = fraction(constant)) {
-    const std::string digits = kernel::digits(*exact);
-    if (digits.size() <= longest_shown) return digits;
-  }
+  auto exact = notation::rational_value(constant);
+  const Value value = value_at({}, constant);
+  if (!exact && value.ball) exact = near_fraction(value.ball->low(), largest_denominator);
+  const std::string digits = exact ? kernel::digits(*exact) : "";
+  if (exact && digits.size() <= longest_shown && exact_sign(constant - Expr(*exact)) == 0)
+    return digits;
   for (int bits = 128; bits <= 8192; bits *= 2) {
     const auto ball = value_at({}, constant, bits).ball;
     if (!ball) continue;
@@ -80,23 +75,18 @@ private:
       }
     return false;
   }
-  /// Bases of powers that have no value where x is a fraction and they are negative: put in, they
-  /// might have one.
-  void real_powers_in(Expr e, Expr x, std::set<Expr>& bases) const {
-    if (is_call(e, "raised") && kernel::free_variables(e.arg(1)).contains(x))
-      bases.insert(e.arg(0));
-    for (Expr part : e.args()) real_powers_in(part, x, bases);
-  }
   bool put_in(Expr x, Expr value) {
     const Range range = domain.ranges.at(x);
     const bool is_whole = Forms(domain).is_integer(value);
     if (!is_whole && range.is_integer) return false;
-    std::set<Expr> bases;
-    if (!is_whole) real_powers_in(left - right, x, bases);
-    for (Expr base : bases) {
-      const Requirement r{Need::NotNegative, base};
-      if (is_certain(r, domain)) continue;
-      domain.further.push_back({base, ">=", 0});
+    for (Expr e : parts_of(left - right)) {
+      const bool is_power = is_call(e, "raised") && kernel::free_variables(e.arg(1)).contains(x);
+      if (is_whole || !is_power) continue;
+      // The base of a power that has no value where x is a fraction and the base is negative: put
+      // in, it might have one.
+      const Requirement r{Need::NotNegative, e.arg(0)};
+      if (is_certain(r, domain) || std::ranges::count(verdict.conditions, text(r)) > 0) continue;
+      domain.further.push_back({r.term, ">=", 0});
       verdict.conditions.push_back(text(r));
     }
     const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
@@ -219,7 +209,10 @@ private:
   bool prove_by_cases() {
     const std::string before = verdict.proof;
     std::set<Expr> turns;
-    collect_turns(left - right, turns);
+    for (Expr e : parts_of(left - right)) {
+      if (is_call(e, "abs")) turns.insert(e.arg(0));
+      if (is_call(e, "sqrt") || is_call(e, "root")) turns.merge(kernel::free_variables(e));
+    }
     for (Expr e : turns)
       if (is_proved_where(e, ">=", 0) && is_proved_where(e, "<=", 0)) {
         const std::string name = typed_text(e);
@@ -244,26 +237,16 @@ private:
       if (range.contains(value) && !is_proved_where(x, "=", value)) return false;
     return true;
   }
-  void collect_turns(Expr e, std::set<Expr>& found) {
-    if (is_call(e, "abs")) found.insert(e.arg(0));
-    if (is_call(e, "sqrt") || is_call(e, "root")) found.merge(kernel::free_variables(e));
-    for (Expr part : e.args()) collect_turns(part, found);
-  }
-  /// A power whose base is negative and whose exponent is not always whole.
-  std::optional<Expr> power_of_negative(Expr e) {
-    if (is_call(e, "raised") && !kernel::free_variables(e.arg(1)).empty() &&
-        !Forms(domain).is_integer(e.arg(1)) &&
-        is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain))
-      return e;
-    for (Expr part : e.args())
-      if (const auto found = power_of_negative(part)) return found;
-    return {};
-  }
   /// (-1)^x has values only where x is whole.
   bool prove_at_whole_exponents() {
-    const auto power = power_of_negative(left - right);
-    if (!power) return false;
-    const Expr exponent = power->arg(1);
+    std::optional<Expr> found;
+    for (Expr e : parts_of(left - right))
+      if (!found && is_call(e, "raised") && !kernel::free_variables(e.arg(1)).empty() &&
+          !Forms(domain).is_integer(e.arg(1)) &&
+          is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain))
+        found = e.arg(1);  // not always whole, of a power whose base is negative
+    if (!found) return false;
+    const Expr exponent = *found;
     Domain all = domain;
     std::vector<std::string> how;
     for (Expr x : kernel::free_variables(exponent))

@@ -45,7 +45,8 @@ std::map<Expr, Generator> generators(const Sum& sum) {
     // e^(2x) - 1 has the factor e^x - 1, e^(2000x) - 1 at least e^(1000x) - 1.
     if (g.step != 0) {
       const cln::cl_RA finest = cln::cl_RA(1) / cln::denominator(g.step);
-      const bool is_fine = greatest - least <= finest * highest_degree;
+      const bool is_constant = atom == circle() && monomial.empty();  // z^(13/8)
+      const bool is_fine = !is_constant && greatest - least <= finest * highest_degree;
       // x^61 has no root of a factor: x may be negative.
       const bool can_halve = atom == circle() || atom == euler() || is_whole(g.step / 2);
       g.step = is_fine ? finest : can_halve ? g.step / 2 : g.step;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "equality/decide.hpp"
@@ -59,6 +60,8 @@ int whole(const cln::cl_RA& q);
 std::optional<cln::cl_RA> root_exponent(Expr root);
 int order_of(Expr root);
 
+/// All parts of a term, each once: inner ones first, itself the last.
+Exprs parts_of(Expr term);
 /// What a term needs to have a value.
 enum class Need { NotZero, NotNegative, Positive };
 struct Requirement {
@@ -66,7 +69,7 @@ struct Requirement {
   Expr term;
   bool operator==(const Requirement&) const = default;
 };
-/// Of the term and all of its parts, inner ones first, each once.
+/// Of all its parts.
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
 std::string text(const Requirement& r);  ///< "x - 1 != 0"
 /// "x >= 0 |- sqrt(x)^2 = x", which the kernel proves from what the terms need, what the domain
@@ -75,6 +78,8 @@ std::string text(const Requirement& r);  ///< "x - 1 != 0"
 std::string certified(Expr left, Expr right, std::vector<Requirement> needs, const Domain& domain);
 /// Where a term is 0 that is linear in x, with a number as its coefficient.
 std::optional<Expr> zero_of(Expr term, Expr x);
+/// a, b and c, if it is a x^2 + b x + c.
+std::array<Expr, 3> quadratic_in(Expr term, Expr x);
 /// And where it may be 0, if it is quadratic in x, or has a sine or cosine of it.
 Exprs zeros_of(Expr term, Expr x);
 /// What holds where it says so of several symbols, or of one and an irrational number.
@@ -149,6 +154,7 @@ private:
   bool is_complex(Expr atom);
   Sum conjugated(const Sum& sum);
   Expr expression(const Product& product);
+  Exponent constant(Expr atom, const Exponent& e);
 
   Sum expanded(Sum sum, Product* divisor = nullptr);
   bool is_nothing(const Sum& sum) { return sum.size() != 1 && expanded(sum).empty(); }

@@ -29,7 +29,7 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
     if (range.high) add(range.high->value - q);
   };
   if (!is_inside)
-    for (int value : {1, -1, 2, -2, 0, 3, -3}) add(value);
+    for (int value : {0, 1, -1, 2, -2, 3, -3}) add(value);
   if (!is_inside) add_around(0);
   for (int below = 2; below <= 4 && !range.is_integer; ++below)
     for (int above = 1; above < 2 * below; ++above) {
@@ -94,11 +94,12 @@ void collect_turns(Expr e, std::set<cln::cl_RA>& found) {
 }
 // x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
 // power is, though (-1/2)^y has a value by accident at some fractions.
-bool has_accident(const Point& point, Expr e, int bits) {
-  if (is_call(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
-    for (Expr symbol : kernel::free_variables(e.arg(1)))
-      if (cln::denominator(point.at(symbol)) != 1) return true;
-  return std::ranges::any_of(e.args(), [&](Expr part) { return has_accident(point, part, bits); });
+bool has_accident(const Point& point, Expr term, int bits) {
+  for (Expr e : parts_of(term))
+    if (is_call(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
+      for (Expr symbol : kernel::free_variables(e.arg(1)))
+        if (cln::denominator(point.at(symbol)) != 1) return true;
+  return false;
 }
 }  // namespace
 

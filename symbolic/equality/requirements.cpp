@@ -8,13 +8,21 @@ bool is_certain(const Requirement& requirement, const Domain& domain) {
   return is_proved([&] { return Forms(domain).holds(requirement); });
 }
 
-std::vector<Requirement> requirements(Expr term, const Domain& domain) {
-  std::vector<Requirement> out;
+Exprs parts_of(Expr term) {
+  Exprs out;
   std::set<Expr> seen;
   const auto visit = [&](auto& self, Expr e) -> void {
     if (!seen.insert(e).second) return;
     for (Expr arg : e.args()) self(self, arg);
-    if (e.op() != Op::Fun || e.size() == 0) return;
+    out.push_back(e);
+  };
+  visit(visit, term);
+  return out;
+}
+std::vector<Requirement> requirements(Expr term, const Domain& domain) {
+  std::vector<Requirement> out;
+  for (Expr e : parts_of(term)) {
+    if (e.op() != Op::Fun || e.size() == 0) continue;
     const std::string name = e.name();
     const Expr x = e.arg(0);
     if (name == "inv") out.push_back({Need::NotZero, x});
@@ -25,15 +33,14 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
       for (Expr rest : {Expr(1) - x, Expr(1) + x}) out.push_back({Need::NotNegative, rest});
     const bool is_root = name == "sqrt" || name == "root";
     if (is_root && order_of(e) % 2 == 0) out.push_back({Need::NotNegative, x});
-    if (name != "raised") return;
+    if (name != "raised") continue;
     if (is_proved([&] { return Forms(domain).of(x).empty(); }))
       out.push_back({Need::Positive, e.arg(1)});
     else if (!Forms(domain).is_integer(e.arg(1)))
       out.push_back({Need::NotNegative, x});
     else if (!is_certain({Need::Positive, e.arg(1)}, domain))
       out.push_back({Need::NotZero, x});
-  };
-  visit(visit, term);
+  }
   return out;
 }
 
@@ -47,16 +54,19 @@ std::vector<Requirement> conditions(const Domain& domain) {
   return out;
 }
 
-std::optional<Expr> zero_of(Expr term, Expr x) {
+std::array<Expr, 3> quadratic_in(Expr term, Expr x) {
   const auto at = [&](int value) { return kernel::substitute(term, {{x, Expr(value)}}); };
-  const Expr rise = at(1) - at(0);
+  return {(at(1) + at(-1)) / 2 - at(0), (at(1) - at(-1)) / 2, at(0)};
+}
+std::optional<Expr> zero_of(Expr term, Expr x) {
+  const Expr start = quadratic_in(term, x)[2], rise = quadratic_in(term, x)[1];
   std::optional<Expr> value;
   is_proved([&] {
     Forms forms({});
-    const auto real = forms.real_expression(forms.of(Expr(-1) * at(0) / rise));
+    const auto real = forms.real_expression(forms.of(Expr(-1) * start / rise));
     const auto number = forms.real_expression(forms.of(rise));
     if (real && number && exact_sign(*number).value_or(0) != 0 &&
-        forms.is_zero(forms.of(term - at(0) - rise * x)))
+        forms.is_zero(forms.of(term - start - rise * x)))
       value = kernel::expression(kernel::polynomial(*real));
     return true;
   });
@@ -65,8 +75,7 @@ std::optional<Expr> zero_of(Expr term, Expr x) {
 
 Exprs zeros_of(Expr term, Expr x) {
   if (const auto zero = zero_of(term, x)) return {*zero};
-  const auto at = [&](int value) { return kernel::substitute(term, {{x, Expr(value)}}); };
-  const Expr c = at(0), b = (at(1) - at(-1)) / 2, a = (at(1) + at(-1)) / 2 - c;
+  const auto [a, b, c] = quadratic_in(term, x);
   Exprs out{kernel::pi() / 2, kernel::pi()};
   for (Expr root : {-kernel::sqrt(b * b - 4 * a * c), kernel::sqrt(b * b - 4 * a * c)})
     if (const auto zero = zero_of(2 * a * x + b - root, x)) out.push_back(*zero);

@@ -13,12 +13,6 @@ int product(int a, int b) {
   const int size = std::min(std::abs(a), std::abs(b));
   return (a > 0) == (b > 0) ? size : -size;
 }
-int sign_on(const Range& range) {
-  const int strength = range.contains(0) ? 1 : 2;
-  if (range.low && range.low->value >= 0) return strength;
-  if (range.high && range.high->value <= 0) return -strength;
-  return 0;
-}
 /// The sum as one of different functions, each times a constant.
 template <class ConstantPart>
 std::map<Product, Sum> coefficients(const Sum& sum, const ConstantPart& constant_part) {
@@ -72,15 +66,17 @@ Sum Forms::expanded(Sum sum, Product* divisor) {
     if (sum.empty()) return sum;
   }
 }
-bool Forms::is_zero(const Sum& sum) {
+// What of a power is a constant: z^(pi/3) of z^(x + pi/3).
+Exponent Forms::constant(Expr atom, const Exponent& e) {
   const kernel::Monomial pi{{kernel::pi(), 1}};
-  const auto constant = [&](Expr atom, const Exponent& e) {
-    if (atom == circle()) return e.contains(pi) ? times_pi(e.at(pi)) : Exponent();
-    const bool is_number = number_of(e) && kernel::free_variables(atom).empty() &&
-                           !is_complex(atom) && is_algebraic(atom);
-    return is_number ? e : Exponent();
-  };
-  for (const auto& [product, coefficient] : coefficients(expanded(sum), constant)) {
+  if (atom == circle()) return e.contains(pi) ? times_pi(e.at(pi)) : Exponent();
+  const bool is_number = number_of(e) && kernel::free_variables(atom).empty() &&
+                         !is_complex(atom) && is_algebraic(atom);
+  return is_number ? e : Exponent();
+}
+bool Forms::is_zero(const Sum& sum) {
+  const auto constant_of = [&](Expr a, const Exponent& e) { return constant(a, e); };
+  for (const auto& [product, coefficient] : coefficients(expanded(sum), constant_of)) {
     if (coefficient.size() == 1) return false;
     const Sum other = conjugated(coefficient);
     for (const Sum& part : {coefficient + other, times(imaginary(), coefficient - other)}) {
@@ -109,7 +105,9 @@ int Forms::sign_of_atom(Expr atom) {
   const auto is_not_zero = [&](Expr e) { return assumed_not_zero.contains(e); };
   int sign = 0;
   if (const auto it = where.ranges.find(atom); it != where.ranges.end()) {
-    sign = sign_on(it->second);
+    const auto& [is_integer, low, high] = it->second;
+    const int side = low && low->value >= 0 ? 1 : high && high->value <= 0 ? -1 : 0;
+    sign = it->second.contains(0) ? side : 2 * side;
   } else if (is_call(atom, "abs")) {
     sign = is_not_zero(atom.arg(0)) ? 2 : 1;
   } else if (composites.contains(atom)) {
@@ -206,22 +204,29 @@ int Forms::sign_of_trigonometric(const Sum& sum) {
   if (cln::abs(constant) < others || constant == 0) return 0;
   return (constant > 0 ? 1 : -1) * (cln::abs(constant) > others ? 2 : 1);
 }
-// z^u + z^-u is positive for u between -pi/2 and pi/2; z^(u + pi) is -z^u.
+// c z^u and its conjugate are 2 |c| cos(u + arg(c)), positive for an angle between -pi/2 and pi/2.
 int Forms::sign_of_cosine(const Sum& sum) {
-  if (sum.size() != 2) return 0;
-  Product there = sum.begin()->first, back = sum.rbegin()->first;
-  const cln::cl_RA q = sum.begin()->second;
-  const Exponent u = there[circle()], both = u + back[circle()];
-  const cln::cl_RA turns = both.empty() ? cln::cl_RA(0) : both.begin()->second;  // by pi
-  if (!is_whole(turns) || both != times_pi(turns)) return 0;
-  there.erase(circle());
-  back.erase(circle());
-  if (there != back || sum.rbegin()->second != (is_even(turns) ? q : -q)) return 0;
+  const auto parts = coefficients(sum, [&](Expr a, const Exponent& e) { return constant(a, e); });
+  if (parts.size() != 2) return 0;
+  Product others = parts.begin()->first;
+  const Sum c = parts.begin()->second, conjugate = conjugated(c);
+  const Exponent u = exponent_in(others, circle());
+  Product turned = others;
+  multiply(turned, circle(), kernel::scaled(u, -2));
+  if (turned != parts.rbegin()->first || parts.rbegin()->second != conjugate) return 0;
+  others.erase(circle());
   const Sum quarter = scaled(atom(kernel::pi()), cln::cl_RA(1) / 2);
+  const Sum real = c + conjugate, imaginary_part = times(imaginary(), conjugate - c);
+  const int side = sign_of_number(real), above = sign_of_number(imaginary_part);
+  if (side == 0 && (above == 0 || !is_zero(real))) return 0;
+  const Sum argument = side == 0
+                           ? scaled(quarter, above / 2)
+                           : inverse_angle("atan", times(imaginary_part, integer_power(real, -1)));
   for (int shift : {0, 1, -1}) {
-    const Sum angle = sum_of(u) + scaled(quarter, 2 * shift);
+    const Sum angle = sum_of(u) + argument + scaled(quarter, 2 * shift);
     const int sign = product(sign_of(quarter - angle), sign_of(quarter + angle));
-    if (sign > 0) return product(sign_of_powers(there), (q > 0) == (shift == 0) ? sign : -sign);
+    if (sign > 0)
+      return product(sign_of_powers(others), (side >= 0) == (shift == 0) ? sign : -sign);
   }
   return 0;
 }

@@ -18,7 +18,8 @@ void add(Sum& into, const Product& product, const cln::cl_RA& q) {
 }
 Expr raised(Expr base, const Exponent& e) {
   if (e == exponent(cln::cl_RA(1) / 2)) return kernel::sqrt(base);
-  return e == exponent(1) ? base : notation::raised(base, kernel::expression(e));
+  const int k = whole_number(e).value_or(0);
+  return k > 0 ? kernel::power(base, k) : notation::raised(base, kernel::expression(e));
 }
 }  // namespace
 
@@ -215,10 +216,9 @@ Expr Forms::expression(const Product& product) {
 Expr Forms::expression(const Sum& sum) {
   Exprs terms;
   for (const auto& [product, q] : sum) {
-    if (product.empty())
-      terms.push_back(Expr(q));
-    else
-      terms.push_back(q == 1 ? expression(product) : Expr(q) * expression(product));
+    terms.push_back(product.empty() ? Expr(q)
+                    : q == 1        ? expression(product)
+                                    : Expr(q) * expression(product));
   }
   return terms.empty() ? Expr(0) : terms.size() == 1 ? terms[0] : kernel::sum(terms);
 }

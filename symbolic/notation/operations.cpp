@@ -80,6 +80,7 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
   static const std::set<std::string> usual{"x", "y", "z", "t", "u", "V", "L",
                                            "M", "m", "e", "n", "k", "j"};
   if (factors.contains(word)) return "";
+  if (rounding.contains(word)) return word + no_rounding;
   for (const auto& [function, definition] : definitions()) {
     if (!word.starts_with(function) || word == function) continue;
     const std::string rest = word.substr(function.size());
@@ -92,7 +93,6 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
   if (bar != word.npos && is_function(word.substr(0, bar))) return "unknown function " + word;
   const bool has_index = bar != word.npos && !word.ends_with("_prime");
   if (!is_before_bracket || has_index || usual.contains(word) || is_greek_name(word)) return "";
-  if (rounding.contains(word)) return word + ": there are no rounding functions here";
   const std::string unknown = "unknown function " + typed_text(symbol(word));
   if (word.size() == 1)
     return unknown + "; write * for products, " + word + "_n for " + word + "(n)";

@@ -30,16 +30,13 @@ Token token(std::string_view text, std::size_t from) {
   out.text = text.substr(i, end - i);
   return out;
 }
-std::vector<Token> printed_tokens(std::string_view text) {
-  std::vector<Token> out{token(text, 0)};
-  while (out.back().kind != Kind::End)
-    out.push_back(token(text, out.back().column - 1 + out.back().text.size()));
-  return out;
-}
 
 class Reader : Words {
 public:
-  explicit Reader(std::string_view text) : Words(printed_tokens(text)) {}
+  explicit Reader(std::string_view text) : Words({token(text, 0)}) {
+    while (words.back().kind != Kind::End)
+      words.push_back(token(text, words.back().column - 1 + words.back().text.size()));
+  }
   Expr everything() {
     const Expr e = formula();
     if (now().kind != Kind::End) refuse("\"" + now().text + "\" is not expected");
@@ -112,13 +109,13 @@ private:
   }
   Expr product() {
     Expr e = power();
+    const auto begins_atom = [&] {
+      if (is("and") || is("or") || is("implies") || is("if")) return false;
+      return now().kind == Kind::Name || is("(") || is("[");
+    };
     while (is("*") || is("/") || (e.sort() == Sort::Matrix && begins_atom()))
       e = takes("*") ? e * power() : takes("/") ? e / power() : times(e, power());
     return e;
-  }
-  bool begins_atom() const {
-    if (is("and") || is("or") || is("implies") || is("if")) return false;
-    return now().kind == Kind::Name || is("(") || is("[");
   }
   Expr power() {
     const Expr base = atom();

@@ -29,10 +29,12 @@ protected:
         all.push_back(word);
         continue;
       }
-      note(word.text + " is read as " + names);
+      note(word.quoted + " is read as " + names);
       word.typed = "";
-      for (std::istringstream each(names); each >> word.text; word.is_spaced = true)
+      for (std::istringstream each(names); each >> word.text; word.is_spaced = true) {
+        word.quoted = word.text;
         all.push_back(word);
+      }
     }
     words = all;
   }
@@ -44,17 +46,17 @@ protected:
     const bool brackets = words[slash + 1].text == "(" && words[last].text == ")";
     const Token& factor = words[at];
     if (!factor.is_spaced || (!numbers && !brackets && !is_call(factor)))
-      refuse_at(factor.column, "is " + factor.text +
+      refuse_at(factor.column, "is " + factor.quoted +
                                    " above or below the fraction line? write a * or parentheses");
     const std::string left = typed(from, at);
-    note(left + " " + factor.text + "... is read as (" + left + ")*" + factor.text + "...");
+    note(left + " " + factor.quoted + "... is read as (" + left + ")*" + factor.quoted + "...");
   }
   // x > 1 y > 2 and 0 < 2 x < 1: a product, or is a comma missing?
   void refuse_two_conditions(std::size_t from) const {
     for (std::size_t i = from + 1; i < place; ++i)
       if (words[i].is_spaced && words[i].kind != Kind::Sign && words[i - 1].kind != Kind::Sign)
         refuse_at(words[i].column,
-                  "two conditions or a product? write a comma or a * before " + words[i].text);
+                  "two conditions or a product? write a comma or a * before " + words[i].quoted);
   }
   // |x|y|z| is |x|*y*|z| or |x*|y|*z|.
   void refuse_bars(std::size_t from) const {
@@ -72,16 +74,9 @@ protected:
     note("^" + fraction + " is read as (...^" + above.text + ")/" + below.text + ", not as ^(" +
          fraction + ")");
   }
-  // The exponent that ends here, where what it is of is itself one: x^y^z.
-  void note_tower(std::size_t from) {
-    if (from > 1 && words[from - 1].text == "^")
-      note(typed(from - 1, place) + " is read as ^(" + typed(from, place) + ")");
-  }
   static bool is_call(const Token& token) {
     return token.kind == Kind::Name && is_function(token.text);
   }
-  bool is_call_ahead() const { return is_call(now()); }
-
   void note_base(Expr e) {  // e^x, log(e)
     if (name_of(e) == "e")
       note("e is read as the coefficient of restitution; the exponential function is exp(x)");

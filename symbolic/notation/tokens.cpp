@@ -57,10 +57,13 @@ std::string shown(char32_t c) {
   std::snprintf(name, sizeof name, c > 0x20 && c < 0x7f ? "%c" : "U+%04X", unsigned(c));
   return name;
 }
-std::u32string decoded(std::string_view text) {
+// And where each character begins, and the text ends.
+std::u32string decoded(std::string_view text, std::vector<std::size_t>& starts) {
   constexpr char32_t least[]{0, 0, 0x80, 0x800, 0x10000};
   std::u32string out;
   for (std::size_t i = 0; i < text.size();) {
+    starts.resize(out.size());
+    starts.push_back(i);
     const auto byte = static_cast<unsigned char>(text[i]);
     const int ones = std::countl_one(byte);
     bool good = ones != 1 && ones < 5;
@@ -75,12 +78,14 @@ std::u32string decoded(std::string_view text) {
     if (c != 0xfeff || i > 3) out += unstyled(c);  // a byte order mark
     if (out.size() > longest) kernel::refuse("longer than 20000 characters");
   }
+  starts.resize(out.size());
+  starts.push_back(text.size());
   return out;
 }
 
 class Scanner {
 public:
-  explicit Scanner(std::u32string typed) : text(std::move(typed)) {}
+  explicit Scanner(std::string_view typed) : source(typed), text(decoded(source, starts)) {}
   std::vector<Token> scan() {
     while (at < text.size()) step();
     add(Kind::End, "", text.size() + 1);
@@ -88,6 +93,8 @@ public:
   }
 
 private:
+  std::string_view source;
+  std::vector<std::size_t> starts;
   std::u32string text;
   std::size_t at = 0;
   bool spaced = false;
@@ -111,10 +118,13 @@ private:
     return found;
   }
   void add(Kind kind, const std::string& word, std::size_t column) {
-    out.push_back({kind, word, column, spaced, latex, {}});
+    out.push_back({kind, word, column, spaced, latex, {}, word});
     spaced = latex = false;
   }
 
+  std::string as_typed(std::size_t column) const {
+    return std::string(source.substr(starts[column - 1], starts[at] - starts[column - 1]));
+  }
   void step() {
     // Characters that stand for a sign or a word of ours.
     static const std::map<char32_t, std::string> spellings{
@@ -142,7 +152,7 @@ private:
       refuse_at(column, "a sum or a product? write " + out.back().text + "+" + word + " or " +
                             out.back().text + "*" + word);
     const std::string ascii = is_fraction ? "(" + word + ")" : word;
-    for (const Token& part : Scanner({ascii.begin(), ascii.end()}).scan())
+    for (const Token& part : Scanner(ascii).scan())
       if (part.kind != Kind::End) add(part.kind, part.text, column);
   }
 
@@ -227,7 +237,9 @@ private:
     if (index_1.ends_with('_')) refuse_at(column, "an index is missing behind " + word + "_");
     if (whole.size() > 40) refuse_at(column, "a name of more than 40 characters");
     add(Kind::Name, whole, column);
-    if (!number.empty()) out.back().typed = word;
+    if (!number.empty()) out.back().typed = out.back().quoted = word;
+    const std::string typed = as_typed(column);
+    if (typed.size() > at - column + 1) out.back().quoted = typed;
   }
 
   void superscript(std::size_t column) {
@@ -267,6 +279,8 @@ private:
     if (is_function(word) || is_greek_name(word)) return indexed_name(word, column);
     if (const auto it = signs.find(word); it != signs.end())
       spelled(it->second, column);
+    else if (word.ends_with("floor") || word.ends_with("ceil"))
+      refuse_at(column, "\\" + word + no_rounding);
     else if (!ignored.contains(word))
       refuse_at(column, "unknown command \\" + word);
     spaced = true;
@@ -296,10 +310,13 @@ private:
   void sign(char32_t c, std::size_t column) {
     if (c == U'&' && peek() == U'=') return;  // where equations are aligned
     if (c == U':' && !out.empty()) refuse_at(column, "a ratio is written with /, as 1/(1+alpha)");
+    if (Characters(U"⌊⌋⌈⌉").find(c) != Characters::npos)
+      refuse_at(column, as_typed(column) + no_rounding);
     if (c == U'°') refuse_at(column, "angles are in radians; 180 degrees are pi");
+    const bool is_visible = (c >= 0x370 && c < 0x400) || (c >= 0x2190 && c < 0x2c00);
     const bool is_two = (c == U'<' || c == U'>' || c == U'!') && takes(U"=");
     if (!is_two && Characters(U"+-*/^()[]{},;<>=|&").find(c) == Characters::npos)
-      refuse_at(column, "unexpected character " + shown(c));
+      refuse_at(column, "unexpected character " + (is_visible ? as_typed(column) : shown(c)));
     const std::string word = c == U'&' ? "," : c == U'*' && takes(U"*") ? "^" : shown(c);
     add(Kind::Sign, word + (is_two ? "=" : ""), column);
   }
@@ -307,10 +324,10 @@ private:
 }  // namespace
 
 std::string Words::typed(std::size_t from, std::size_t to) const {
-  std::string out = words[from].text;
+  std::string out = words[from].quoted;
   for (std::size_t i = from + 1; i < to; ++i) {
     const bool are_two = words[i].kind == Kind::Name && words[i - 1].kind != Kind::Sign;
-    out += (words[i].is_spaced || are_two ? " " : "") + words[i].text;
+    out += (words[i].is_spaced || are_two ? " " : "") + words[i].quoted;
   }
   return out;
 }
@@ -323,5 +340,5 @@ bool is_greek_name(const std::string& name) {
 bool is_whole(std::string_view digits) {
   return !digits.empty() && digits.find_first_not_of("0123456789") == digits.npos;
 }
-std::vector<Token> tokens(std::string_view text) { return Scanner(decoded(text)).scan(); }
+std::vector<Token> tokens(std::string_view text) { return Scanner(text).scan(); }
 }  // namespace notation

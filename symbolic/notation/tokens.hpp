@@ -15,11 +15,12 @@ using kernel::Expr;
 struct Token {
   enum class Kind { Number, Name, Command, Sign, End };
   Kind kind = Kind::End;
-  std::string text = {};   ///< in ASCII: "c_prime_n", "0.5", "<=", "frac"
-  std::size_t column = 0;  ///< in characters, from 1
-  bool is_spaced = false;  ///< a blank stands before it
-  bool is_latex = false;   ///< it began with a backslash
-  std::string typed = {};  ///< where it was changed: "M1" of M_1
+  std::string text = {};    ///< in ASCII: "c_prime_n", "0.5", "<=", "frac"
+  std::size_t column = 0;   ///< in characters, from 1
+  bool is_spaced = false;   ///< a blank stands before it
+  bool is_latex = false;    ///< it began with a backslash
+  std::string typed = {};   ///< where it was changed: "M1" of M_1
+  std::string quoted = {};  ///< as messages have it: "ω" of omega
 };
 using Kind = Token::Kind;
 /// A place among words, for readers that take one after the other.
@@ -43,6 +44,7 @@ protected:
 std::vector<Token> tokens(std::string_view text);
 [[noreturn]] void refuse_at(std::size_t column, const std::string& why);
 bool is_greek_name(const std::string& name);
+inline const std::string no_rounding = " is not read: there are no rounding functions here";
 bool is_whole(std::string_view digits);
 
 // What the operators and functions of typed expressions make of numbers and matrices. All throw

@@ -53,7 +53,7 @@ private:
     if (now().kind == Kind::End) return;
     if (is(")") || is("}")) refuse_here("a ( is missing for this " + now().text);
     if (is(",")) refuse_here(wrong_comma);
-    refuse_here("an operator is missing before " + now().text);
+    refuse_here("an operator is missing before " + now().quoted);
   }
   Expr nested(Expr (Parser::*part)()) {
     if (++depth > 200) refuse_here("nested more than 200 deep");
@@ -65,7 +65,7 @@ private:
     if (takes(sign)) return;
     if (now().kind == Kind::End) refuse_at(opened, "the " + sign + " for this one is missing");
     if (is(",")) refuse_here(wrong_comma);
-    refuse_here("unexpected " + now().text + " where " + sign + " is expected");
+    refuse_here("unexpected " + now().quoted + " where " + sign + " is expected");
   }
 
   // A number, or rows as a, b; c, d.
@@ -141,7 +141,8 @@ private:
     const std::size_t column = now().column;
     if (!takes("^")) return base;
     const Expr exponent = nested(&Parser::signed_factor);
-    note_tower(from);
+    if (from > 1 && words[from - 1].text == "^")  // x^y^z
+      note(typed(from - 1, place) + " is read as ^(" + typed(from, place) + ")");
     if (is_matrix(base) && exponent == symbol("T"))  // (a, b) is a column already
       return words[from].text == "(" ? base : matrix(base.rows(), entries(transpose(base)));
     if (!free_variables(exponent).empty()) note_base(base);
@@ -281,21 +282,21 @@ private:
       if (is_matrix(e)) refuse_at(opened.column, token.text + " of a matrix");
       return e;
     }
-    if (now().kind == Kind::Command || is("|") || is_call_ahead()) return primary();
+    if (now().kind == Kind::Command || is("|") || is_call(now())) return primary();
     if (now().kind != Kind::Name && now().kind != Kind::Number)
       refuse_here("a ( is missing after " + token.text);
     const std::size_t from = place;
     const bool is_root = token.text == "sqrt" || token.text == "cbrt";
     const bool many = !is_root && (token.is_latex || now().kind == Kind::Number);
     Expr e = primary();
-    while (many && now().kind == Kind::Name && !is_call_ahead() &&
+    while (many && now().kind == Kind::Name && !is_call(now()) &&
            (token.is_latex || place == from + 1))
       e = e * primary();
     const std::string taken = typed(from, place), more = typed(from, place + 1);
     const bool is_product = is("*") && !token.is_latex && !is_call(words[place + 1]);
-    if ((starts_factor() && !is_call_ahead()) || is("^") || (!is_root && (is("/") || is_product)))
+    if ((starts_factor() && !is_call(now())) || is("^") || (!is_root && (is("/") || is_product)))
       refuse_here(token.text + " " + more + "... has two readings: write " + token.text + "(" +
-                  more + "...) or " + token.text + "(" + taken + ")" + now().text + "...");
+                  more + "...) or " + token.text + "(" + taken + ")" + now().quoted + "...");
     if (place > from + 1)
       note(token.text + " " + taken + " is read as " + token.text + "(" + taken + ")");
     return e;

@@ -25,12 +25,6 @@ struct Pair {
   Expr left, right;
   Domain domain;
   Verdict verdict;
-
-  /// Certainly; also false where one side has no value.
-  bool is_apart(const Point& point) const {
-    const auto a = value_at(point, left).ball, b = value_at(point, right).ball;
-    return a && b && (a->high() < b->low() || b->high() < a->low());
-  }
 };
 /// `wanted` may be "certified" or "not certified": equal, and whether the kernel proves it.
 std::string word_of(const std::string& left, const std::string& right, const std::string& domain,
@@ -115,7 +109,9 @@ TEST_CASE("What is called equal agrees at random points") {
         if (range.is_integer || at_whole) value = cln::floor1(value);
         if (range.contains(value)) point[symbol] = value;
       }
-      if (point.size() == pair->domain.ranges.size()) CHECK_FALSE(pair->is_apart(point));
+      if (point.size() < pair->domain.ranges.size()) continue;
+      const auto a = value_at(point, pair->left).ball, b = value_at(point, pair->right).ball;
+      CHECK_FALSE((a && b && (a->high() < b->low() || b->high() < a->low())));
     }
   }
   CHECK(equal > pairs / 10);
