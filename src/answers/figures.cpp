@@ -42,7 +42,7 @@ Places places(const std::string& text, double start) {
   scene.times = {value_of(0), *scene.until};
   stream(scene, result.plan, [&](const magicmass::scenes::Row& row) {
     const auto* time = std::get_if<double>(&row.time);
-    scene.times.push_back({"", time ? Quadratic(*time) : std::get<Quadratic>(row.time)});
+    scene.times.push_back({"", time ? Surd(*time) : std::get<Surd>(row.time)});
   });
   Places all;
   trajectory(scene, result, [&](const Point& point) {

@@ -8,7 +8,7 @@
 namespace answers {
 
 using magicmass::scenes::Ball;
-using magicmass::scenes::Quadratic;
+using magicmass::scenes::Surd;
 using magicmass::scenes::Trio;
 using magicmass::scenes::value_of;
 

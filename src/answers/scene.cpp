@@ -28,7 +28,7 @@ Asked asked(const Request& request, const std::string& command) {
 
 /// A double, or an exact number where those are asked for.
 Cell number_cell(const Number& number, bool exact) {
-  const auto* value = std::get_if<Quadratic>(&number);
+  const auto* value = std::get_if<Surd>(&number);
   if (exact && value != nullptr) return text_cell(value->text());
   const auto rounded = double_of(number);
   if (!rounded)

@@ -46,7 +46,7 @@ struct Asked {
     if (!fraction && wants_fractions)
       throw InvalidInput("alpha: velocities at " + notation::text(alpha) +
                          " need not be fractions; add --digits D");
-    const std::size_t length = Quadratic(fraction.value_or(0)).bits();
+    const std::size_t length = Surd(fraction.value_or(0)).bits();
     const cln::cl_I bits = steps * static_cast<long long>(2 * length + others);
     if (!fraction || (!wants_fractions && bits > 1 << 11)) try {
         return rounded(balls, digits);
@@ -181,7 +181,7 @@ Row end_of(const Asked& in, const Alpha& restitution) {
       return std::vector{a, b, c, b * b};
     };
     return concatenated({count_cells({(*N + 1) / 2, *N / 2}),
-                         in.cells(*N, "collisions", exactly, balls, longest, Quadratic(e).bits())});
+                         in.cells(*N, "collisions", exactly, balls, longest, Surd(e).bits())});
   }
   if (in.wants_fractions)
     throw Undecided(

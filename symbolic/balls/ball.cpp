@@ -199,83 +199,123 @@ cl_RA exact(double value) {
   return scaled(cl_I(static_cast<long long>(whole)), exponent - 53);
 }
 
-Quadratic::Quadratic(const cl_RA& a, const cl_RA& b, const cl_I& d)
-    : a_(a), b_(b), d_(cln::zerop(b) ? cl_I(1) : d) {}
-
-Quadratic Quadratic::sqrt(const Quadratic& x) {
-  if (!cln::zerop(x.b_)) throw std::domain_error("a square root in a square root");
-  if (cln::minusp(x.a_)) throw std::domain_error("the square root of a negative number");
-  cl_I rest = cln::numerator(x.a_) * cln::denominator(x.a_);
-  cl_RA outside = cln::recip(cln::denominator(x.a_));
+void Surd::add(const cl_I& d, cl_RA factor) {
   cl_I root;
-  if (cln::sqrtp(rest, &root)) return root * outside;
-  for (int p = 2; p < 1000; ++p) {
+  if (cln::sqrtp(d, &root)) {
+    rational_ = rational_ + factor * root;
+    return;
+  }
+  auto place = roots_.emplace(d, 0).first;
+  for (auto other = roots_.begin(); other != roots_.end(); ++other)
+    if (other != place && cln::sqrtp(cl_I(d * other->first), &root)) {  // the same but for a factor
+      factor = factor * root / other->first;
+      roots_.erase(place);
+      place = other;
+      break;
+    }
+  place->second = place->second + factor;
+  if (cln::zerop(place->second)) roots_.erase(place);
+}
+Surd Surd::sqrt(const Surd& x) {
+  if (!x.roots_.empty()) throw std::domain_error("a square root in a square root");
+  if (cln::minusp(x.rational_)) throw std::domain_error("the square root of a negative number");
+  cl_I rest = cln::numerator(x.rational_) * cln::denominator(x.rational_);
+  cl_RA outside = cln::recip(cln::denominator(x.rational_));
+  for (int p = 2; p < 1000 && !cln::zerop(rest); ++p) {
     while (cln::zerop(cln::mod(rest, p * p))) {
       rest = cln::exquo(rest, p * p);
       outside = outside * p;
     }
   }
-  return {0, outside, rest};
+  Surd root;
+  root.add(rest, outside);
+  return root;
 }
 
-const cl_I& Quadratic::common(const Quadratic& x, const Quadratic& y) {
-  if (cln::zerop(x.b_)) return y.d_;
-  if (!cln::zerop(y.b_) && x.d_ != y.d_) throw std::domain_error("two different square roots");
-  return x.d_;
+Surd operator+(const Surd& x, const Surd& y) {
+  Surd sum = x;
+  sum.rational_ = x.rational_ + y.rational_;
+  for (const auto& [d, factor] : y.roots_) sum.add(d, factor);
+  return sum;
+}
+Surd operator*(const Surd& x, const Surd& y) {
+  Surd product = x.rational_ * y.rational_;
+  for (const auto& [d, factor] : x.roots_) product.add(d, factor * y.rational_);
+  for (const auto& [e, by] : y.roots_) {
+    product.add(e, x.rational_ * by);
+    for (const auto& [d, factor] : x.roots_) {
+      const cl_I common = cln::gcd(d, e);
+      product.add(cln::exquo(d, common) * cln::exquo(e, common), factor * by * common);
+    }
+  }
+  return product;
+}
+/// Its roots of numbers with a common factor, by which the others' cannot be divided.
+Surd Surd::with_factor() const {
+  cl_I common = 0;
+  Surd part;
+  for (const auto& [d, factor] : roots_)
+    if (const cl_I both = cln::gcd(common, d); both > 1) common = both;
+  for (const auto& [d, factor] : roots_)
+    if (cln::gcd(common, d) > 1) part.roots_.emplace(d, factor);
+  return part;
+}
+Surd operator/(const Surd& x, const Surd& y) {
+  Surd above = x, below = y;
+  for (int round = 0; !below.roots_.empty(); ++round) {  // (u + v)(u - v) has not that factor
+    if (round == 64) throw std::domain_error("too many square roots");
+    const Surd turned = below - Surd(2) * below.with_factor();
+    above = above * turned;
+    below = below * turned;
+  }
+  if (cln::zerop(below.rational_)) throw std::domain_error("a division by 0");
+  return above * Surd(cln::recip(below.rational_));
 }
 
-Quadratic operator+(const Quadratic& x, const Quadratic& y) {
-  return {x.a_ + y.a_, x.b_ + y.b_, Quadratic::common(x, y)};
+/// Off by less than 2^-80 of it.
+cl_RA Surd::near() const {
+  for (int bits = 128;; bits *= 2) {
+    cl_RA sum = rational_, off = 0;
+    for (const auto& [d, factor] : roots_) {
+      cl_I root;
+      cln::isqrt(cln::ash(d, 2 * bits), &root);
+      sum = sum + scaled(factor * root, -bits);
+      off = off + scaled(cln::abs(factor), -bits);
+    }
+    if (cln::abs(sum) >= scaled(off, 80)) return sum;
+  }
 }
-Quadratic operator*(const Quadratic& x, const Quadratic& y) {
-  const cl_I& d = Quadratic::common(x, y);
-  return {x.a_ * y.a_ + x.b_ * y.b_ * d, x.a_ * y.b_ + x.b_ * y.a_, d};
-}
-Quadratic operator/(const Quadratic& x, const Quadratic& y) {
-  const cl_RA norm = y.a_ * y.a_ - y.b_ * y.b_ * y.d_;
-  if (cln::zerop(norm)) throw std::domain_error("a division by 0");
-  return x * Quadratic(y.a_ / norm, -y.b_ / norm, y.d_);
-}
-
-int Quadratic::sign() const {
-  const int a = cln::compare(a_, 0), b = cln::compare(b_, 0);
-  if (a * b >= 0) return a == 0 ? b : a;
-  return a_ * a_ < b_ * b_ * d_ ? b : a;
-}
-
-int Quadratic::compared(const Quadratic& x, const Quadratic& y) {
-  const bool are_rational = cln::zerop(x.b_) && cln::zerop(y.b_);
-  return are_rational ? cln::compare(x.a_, y.a_) : (x - y).sign();  // the former needs no gcd
+int Surd::compared(const Surd& x, const Surd& y) {
+  const bool are_rational = x.roots_.empty() && y.roots_.empty();
+  return are_rational ? cln::compare(x.rational_, y.rational_)  // needs no gcd
+                      : cln::compare((x - y).near(), 0);
 }
 
-std::size_t Quadratic::bits() const { return length(a_) + (cln::zerop(b_) ? 0 : length(b_)); }
-
-std::optional<double> Quadratic::to_double() const {
-  if (sign() == 0) return 0.0;
-  cl_I root;
-  cln::isqrt(cln::ash(d_, 256), &root);
-  const cl_RA part = b_ * root / cln::ash(cl_I(1), 128);
-  // Of two parts that cancel, the norm over their difference.
-  const cl_RA near =
-      cln::minusp(a_ * b_) ? (a_ * a_ - b_ * b_ * d_) / (a_ - part) : cl_RA(a_ + part);
-  const cl_RA size = cln::abs(near);
-  if (size > Quadratic(std::numeric_limits<double>::max()).a_) return std::nullopt;
-  if (size < Quadratic(std::numeric_limits<double>::min()).a_) return std::nullopt;
-  return cln::double_approx(near);
+std::size_t Surd::bits() const {
+  std::size_t sum = length(rational_);
+  for (const auto& [d, factor] : roots_) sum += length(factor);
+  return sum;
 }
-
-std::string Quadratic::text() const {
-  if (cln::zerop(b_)) return kernel::digits(a_);
-  const std::string root = "sqrt(" + kernel::digits(d_) + ")";
-  const cl_RA size = cln::abs(b_);
-  const std::string sign = cln::minusp(b_) ? "-" : cln::zerop(a_) ? "" : "+";
-  return (cln::zerop(a_) ? "" : kernel::digits(a_)) + sign +
-         (size == 1 ? "" : kernel::digits(size) + "*") + root;
+std::optional<double> Surd::to_double() const {
+  const cl_RA x = near(), size = cln::abs(x);
+  if (cln::zerop(x)) return 0.0;
+  if (size > exact(std::numeric_limits<double>::max())) return std::nullopt;
+  if (size < exact(std::numeric_limits<double>::min())) return std::nullopt;
+  return cln::double_approx(x);
 }
-
-Ball ball_of(const Quadratic& x) {
-  const Ball a(x.a_);
-  return cln::zerop(x.b_) ? a : a + Ball(x.b_) * sqrt(Ball(cl_RA(x.d_)));
+std::string Surd::text() const {
+  std::string all = cln::zerop(rational_) && !roots_.empty() ? "" : kernel::digits(rational_);
+  for (const auto& [d, factor] : roots_) {
+    const cl_RA size = cln::abs(factor);
+    all += cln::minusp(factor) ? "-" : all.empty() ? "" : "+";
+    all += (size == 1 ? "" : kernel::digits(size) + "*") + "sqrt(" + kernel::digits(d) + ")";
+  }
+  return all;
+}
+Ball ball_of(const Surd& x) {
+  Ball sum(x.rational_);
+  for (const auto& [d, factor] : x.roots_) sum = sum + Ball(factor) * sqrt(Ball(cl_RA(d)));
+  return sum;
 }
 
 }  // namespace balls

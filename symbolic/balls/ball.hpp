@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Fixed-point balls: a midpoint and a radius, both whole multiples of 2^-bits. What is exact lies
 // within. One ball type serves scenes, certified digits and the decision of equality. And exact
-// numbers with one square root.
+// numbers with square roots.
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -79,27 +80,25 @@ std::optional<double> nearest_double(const cln::cl_RA& low, const cln::cl_RA& hi
 /// between low and high, or where 0 is between them and they are not both 0.
 std::optional<std::string> decimal(const cln::cl_RA& low, const cln::cl_RA& high, int digits);
 
-/// a + b sqrt(d), of one quadratic field, exactly; rationals are those with b = 0.
-class Quadratic {
+/// A surd: a sum of rational multiples of square roots of whole numbers, exactly.
+class Surd {
 public:
-  Quadratic(const cln::cl_RA& rational = 0) : a_(rational), b_(0), d_(1) {}
-  Quadratic(int whole) : Quadratic(cln::cl_RA(whole)) {}
+  Surd(const cln::cl_RA& rational = 0) : rational_(rational) {}
+  Surd(int whole) : Surd(cln::cl_RA(whole)) {}
   /// The double itself. It must be finite.
-  explicit Quadratic(double value) : Quadratic(exact(value)) {}
+  explicit Surd(double value) : Surd(exact(value)) {}
 
-  /// What leaves the field throws std::domain_error: two different square roots in one number, a
-  /// division by 0, and a root of what is negative or has a root itself.
-  static Quadratic sqrt(const Quadratic& x);
-  friend Quadratic operator+(const Quadratic& x, const Quadratic& y);
-  Quadratic operator-() const { return {-a_, -b_, d_}; }
-  friend Quadratic operator-(const Quadratic& x, const Quadratic& y) { return x + -y; }
-  friend Quadratic operator*(const Quadratic& x, const Quadratic& y);
-  friend Quadratic operator/(const Quadratic& x, const Quadratic& y);
-  friend bool operator<(const Quadratic& x, const Quadratic& y) { return compared(x, y) < 0; }
-  friend bool operator==(const Quadratic& x, const Quadratic& y) { return compared(x, y) == 0; }
+  /// Throws std::domain_error for the root of what is negative or has a root itself.
+  static Surd sqrt(const Surd& x);
+  friend Surd operator+(const Surd& x, const Surd& y);
+  Surd operator-() const { return Surd(-1) * *this; }
+  friend Surd operator-(const Surd& x, const Surd& y) { return x + -y; }
+  friend Surd operator*(const Surd& x, const Surd& y);
+  /// Throws std::domain_error where y is 0.
+  friend Surd operator/(const Surd& x, const Surd& y);
+  friend bool operator<(const Surd& x, const Surd& y) { return compared(x, y) < 0; }
+  friend bool operator==(const Surd& x, const Surd& y) { return compared(x, y) == 0; }
 
-  /// d; 1 for a rational.
-  const cln::cl_I& radicand() const { return d_; }
   /// Bits of the numerators and denominators.
   std::size_t bits() const;
   /// Nearest double, or one next to it; nothing where that is infinite or subnormal.
@@ -108,16 +107,18 @@ public:
   std::string text() const;
 
   /// Contains x.
-  friend Ball ball_of(const Quadratic& x);
+  friend Ball ball_of(const Surd& x);
 
 private:
-  cln::cl_RA a_, b_;
-  cln::cl_I d_;  // no square of a small prime divides it; 1 where b = 0
+  // Factors of sqrt(d) by d. No square of a small prime divides d; the product of two of them is no
+  // square: then these roots and 1 are linearly independent, and the sum is 0 only without any.
+  cln::cl_RA rational_;
+  std::map<cln::cl_I, cln::cl_RA> roots_;
 
-  Quadratic(const cln::cl_RA& a, const cln::cl_RA& b, const cln::cl_I& d);
-  int sign() const;
-  static int compared(const Quadratic& x, const Quadratic& y);
-  static const cln::cl_I& common(const Quadratic& x, const Quadratic& y);
+  void add(const cln::cl_I& d, cln::cl_RA factor);
+  Surd with_factor() const;
+  cln::cl_RA near() const;
+  static int compared(const Surd& x, const Surd& y);
 };
 
 }  // namespace balls

@@ -212,25 +212,21 @@ void check_together(const Scene& scene) {
                std::to_string(bodies) + " in this kind of scene");
 }
 
-Quadratic exactly(const Scene& scene, const char* key, const Value& value) {
+Surd exactly(const Scene& scene, const char* key, const Value& value) {
   if (value.exact() == nullptr) refuse_key(scene, key, "a ratio of the paper", "here a number");
   return *value.exact();
 }
 
 /// A chain's bodies one after the other, and walls as far from them.
 void lay_out_chain(Scene& scene) {
-  const Quadratic L = exactly(scene, "L", scene.L), gap = exactly(scene, "gap", scene.gap);
+  const Surd L = exactly(scene, "L", scene.L), gap = exactly(scene, "gap", scene.gap);
   const auto wall = [&](const char* side) { return scene.walls == side || scene.walls == "both"; };
-  Quadratic place = 0;
-  try {
-    for (std::size_t i = 0; i < scene.masses.size(); ++i) {
-      scene.positions.push_back({"", place});
-      place = place + (i % 2 == 0 ? gap : L);
-    }
-  } catch (const std::domain_error& error) {
-    refuse_key(scene, "gap", error.what(), "with L in one field");
+  Surd place = 0;
+  for (std::size_t i = 0; i < scene.masses.size(); ++i) {
+    scene.positions.push_back({"", place});
+    place = place + (i % 2 == 0 ? gap : L);
   }
-  if (wall("left")) scene.left_wall = Value{"", Quadratic(0) - gap};
+  if (wall("left")) scene.left_wall = Value{"", Surd(0) - gap};
   if (wall("right")) scene.right_wall = Value{"", place};
 }
 
@@ -264,7 +260,7 @@ void check_meaning(const Scene& scene) {
   refuse_below_0("until", scene.until.value_or(value_of(0)));
   refuse_below_0("L", scene.L);
   refuse_below_0("gap", scene.gap);
-  const auto found = has_exact_numbers(scene) ? simulator::fault(line_of<Quadratic>(scene))
+  const auto found = has_exact_numbers(scene) ? simulator::fault(line_of<Surd>(scene))
                                               : simulator::fault(line_of<double>(scene));
   if (!found) return;
   for (const char* key : {"alpha", "mass_ratio", "balls"})

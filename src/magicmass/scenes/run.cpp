@@ -28,7 +28,7 @@ struct Lengths {
     const auto is_slow = [](double v) { return v != 0 && std::abs(v) < 0x1p-1000; };
     return is_slow(event.v_left) || is_slow(event.v_right);
   }
-  bool is_too_slow(const Collision<Quadratic>& event) {
+  bool is_too_slow(const Collision<Surd>& event) {
     const std::size_t bits =
         std::max({event.time.bits(), event.v_left.bits(), event.v_right.bits()});
     const auto length = static_cast<double>(bits);
@@ -42,15 +42,15 @@ struct Lengths {
 /// Exactly, of bodies in doubles too: it overflows where velocities do not.
 template <class Scalar>
 void set_energies(const Scene& scene, const simulator::Line<Scalar>& start, Result& result) {
-  const std::vector<Quadratic> masses(start.masses.begin(), start.masses.end());
-  const std::vector<Quadratic> at_first(start.velocities.begin(), start.velocities.end());
-  std::vector<Quadratic> at_last;
+  const std::vector<Surd> masses(start.masses.begin(), start.masses.end());
+  const std::vector<Surd> at_first(start.velocities.begin(), start.velocities.end());
+  std::vector<Surd> at_last;
   for (const Number& velocity : result.terminal) at_last.emplace_back(std::get<Scalar>(velocity));
-  const Quadratic before = energy(masses, at_first);
+  const Surd before = energy(masses, at_first);
   result.energy_before = before;
   result.energy = energy(masses, at_last);
   if (const auto last = scene.receiver())
-    result.transmitted = energy<Quadratic>({masses[*last]}, {at_last[*last]}) / before;
+    result.transmitted = energy<Surd>({masses[*last]}, {at_last[*last]}) / before;
 }
 
 template <class Scalar>
@@ -113,17 +113,17 @@ std::int64_t told(const Scene& collapse) {
 
 /// What a collapse comes to in exact numbers, but for its time and place: momentum is kept.
 Result exactly(const Scene& scene, Result result) {
-  const auto line = line_of<Quadratic>(scene);
+  const auto line = line_of<Surd>(scene);
   const std::size_t bodies = line.masses.size();
-  Quadratic mass = 0, momentum = 0;
+  Surd mass = 0, momentum = 0;
   for (std::size_t i = 0; i < bodies; ++i) {
     mass = mass + line.masses[i];
     momentum = momentum + line.masses[i] * line.velocities[i];
   }
-  result.terminal.assign(bodies, bodies == 2 ? Quadratic(0) : momentum / mass);  // 2: a wall
+  result.terminal.assign(bodies, bodies == 2 ? Surd(0) : momentum / mass);  // 2: a wall
   set_energies(scene, line, result);
   if (scene.wants("events") || scene.wants("trajectory"))
-    result.known_until = motion<Quadratic>(scene, told(scene)).known_until;
+    result.known_until = motion<Surd>(scene, told(scene)).known_until;
   const auto is_late = [&](const Value& time) {
     return result.known_until && time.to_double() > double_of(*result.known_until);
   };
@@ -166,13 +166,10 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
   if (has_corners) all_at(end ? std::get<Scalar>(*end) : last);
 }
 
-/// Times of another field are looked at where their doubles are.
-Scene in_one_field(Scene scene) {
-  const std::vector<Value> times = std::exchange(scene.times, {});
-  for (const Value& time : times) {
-    scene.times.push_back(time);
-    if (!has_exact_numbers(scene)) scene.times.back() = value_of(time.to_double());
-  }
+/// Times that are no surds are looked at where their doubles are.
+Scene at_exact_times(Scene scene) {
+  for (Value& time : scene.times)
+    if (!time.exact()) time = value_of(time.to_double());
   return scene;
 }
 
@@ -211,7 +208,7 @@ void follow_by_theorem(const Scene& scene, const Result& result, const Points& s
 
 std::optional<double> double_of(const Number& number) {
   const auto* value = std::get_if<double>(&number);
-  if (value == nullptr) return std::get<Quadratic>(number).to_double();
+  if (value == nullptr) return std::get<Surd>(number).to_double();
   return *value == 0 || std::isnormal(*value) ? std::optional(*value) : std::nullopt;
 }
 
@@ -226,8 +223,8 @@ Result run(const Scene& scene) {
   const std::int64_t limit = scene.limit();
   if (scene.is_exact && !has_exact) {
     throw InvalidInput(scene.source +
-                       ": --exact: values that are not of one quadratic field; "
-                       "allowed: fractions and one square root");
+                       ": --exact: magic:k or deficient:k that no square roots give; "
+                       "allowed: fractions and square roots");
   }
   auto solved = by_theorem(scene);
   const auto because = [&](const std::string& in_doubles) {
@@ -238,7 +235,7 @@ Result run(const Scene& scene) {
     if (solved->status == Status::collapse) return exactly(scene, std::move(*solved));
   }
   if (solved || scene.is_exact) try {
-      Result result = motion<Quadratic>(scene, limit);
+      Result result = motion<Surd>(scene, limit);
       result.plan =
           scene.is_exact ? Plan{"events", true, "exact numbers are asked for"} : solved->plan;
       return result;
@@ -259,7 +256,7 @@ Result run(const Scene& scene) {
   result.plan.reason = because(close + "; the scene has no exact numbers");
   if (!has_exact) return result;
   try {
-    result = motion<Quadratic>(scene, limit, {}, some_work);
+    result = motion<Surd>(scene, limit, {}, some_work);
     result.plan = {"events", true, because(close + ", exact numbers decide")};
   } catch (const Undecided& error) {
     result.plan.reason = because(close + "; " + error.what());
@@ -274,12 +271,12 @@ void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t
   const auto show = [&](const Row& row) {
     if (row.number % every == 0) sink(row);
   };
-  (plan.is_exact ? motion<Quadratic> : motion<double>)(scene, limit, show, most_work);
+  (plan.is_exact ? motion<Surd> : motion<double>)(scene, limit, show, most_work);
 }
 
 void trajectory(const Scene& scene, const Result& result, const Points& sink) {
   if (result.plan.is_exact)
-    follow<Quadratic>(in_one_field(scene), result, sink);
+    follow<Surd>(at_exact_times(scene), result, sink);
   else if (result.plan.model != "events" &&
            (result.status != Status::collapse || !scene.times.empty()))
     follow_by_theorem(scene, result, sink);

@@ -22,7 +22,7 @@ enum class Status { complete, limited, collapse };
 
 std::string status_name(Status status);
 
-using Number = std::variant<double, Quadratic>;
+using Number = std::variant<double, Surd>;
 /// It, or what is near it; nothing where that is not finite or subnormal.
 std::optional<double> double_of(const Number& number);
 

@@ -45,19 +45,13 @@ bool has_exact_numbers(const Scene& scene) {
     all.insert(all.end(), list->begin(), list->end());
   for (const auto* one : {&scene.left_wall, &scene.right_wall, &scene.until})
     if (*one) all.push_back(**one);
-  cln::cl_I root = 1;
-  return std::ranges::all_of(all, [&](const Value& value) {
-    if (value.exact() == nullptr) return false;
-    const cln::cl_I& radicand = value.exact()->radicand();
-    if (root == 1) root = radicand;
-    return radicand == 1 || radicand == root;
-  });
+  return std::ranges::all_of(all, [](const Value& value) { return value.exact() != nullptr; });
 }
 
 template <class Scalar>
 simulator::Line<Scalar> line_of(const Scene& scene) {
   const auto rounds = [](const Value& value) {
-    return std::same_as<Scalar, double> && !value.is(Quadratic(value.to_double()));
+    return std::same_as<Scalar, double> && !value.is(Surd(value.to_double()));
   };
   bool is_rounded = rounds(scene.restitution);
   const auto all = [&](const auto& values) {
@@ -77,7 +71,7 @@ simulator::Line<Scalar> line_of(const Scene& scene) {
   return line;
 }
 template simulator::Line<double> line_of(const Scene&);
-template simulator::Line<Quadratic> line_of(const Scene&);
+template simulator::Line<Surd> line_of(const Scene&);
 
 void refuse_key(const Scene& scene, const std::string& key, const std::string& what,
                 std::string_view allowed) {

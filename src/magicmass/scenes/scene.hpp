@@ -23,18 +23,18 @@ using balls::decimal;
 using balls::exact;
 using balls::nearest_double;
 using balls::NotCertain;
-using balls::Quadratic;
+using balls::Surd;
 
 /// A number as a scene writes it, kept as what it is, or a difference of two.
 struct Value {
   std::string text;  ///< as it was written
-  Quadratic number = 0;
-  /// alpha_k or beta_k where it is in no quadratic field: then that, or minus that, is added.
+  Surd number = 0;
+  /// alpha_k or beta_k where it is no surd: then that, or minus that, is added.
   std::optional<notation::Threshold> ratio = {};
   int sign = 1;
 
-  const Quadratic* exact() const { return ratio ? nullptr : &number; }
-  bool is(const Quadratic& x) const { return !ratio && number == x; }
+  const Surd* exact() const { return ratio ? nullptr : &number; }
+  bool is(const Surd& x) const { return !ratio && number == x; }
   bool is_positive() const;
   /// The nearest double. Throws Undecided where none is near.
   double to_double() const;
@@ -53,11 +53,11 @@ Value negative(const Value& x);
 /// x - y, where it is known to be a value.
 std::optional<Value> difference(const Value& x, const Value& y);
 /// x / y, where it is known exactly.
-std::optional<Quadratic> quotient(const Value& x, const Value& y);
+std::optional<Surd> quotient(const Value& x, const Value& y);
 
 /// What read_value takes, for messages.
 inline constexpr std::string_view allowed_values =
-    "a number, or in quotes a fraction 1/7, whole numbers with + - * / ^ and one square root like "
+    "a number, or in quotes a fraction 1/7, whole numbers with + - * / ^ and square roots like "
     "sqrt(5)-2, a hex float like 0x1.8p-3, magic:k, -magic:k, deficient:k";
 
 /// A decimal point, an exponent or 0x: the nearest double. Else whole numbers, exactly.
@@ -156,7 +156,7 @@ std::string gap_name(const Scene& scene, std::size_t gap);
 
 /// Whether no value, be it a time, is a ratio of the paper, and there are no two roots.
 bool has_exact_numbers(const Scene& scene);
-/// The bodies in doubles, or as Quadratic, where all are exact. Throws Undecided where a value does
+/// The bodies in doubles, or as Surd, where all are exact. Throws Undecided where a value does
 /// not fit a double.
 template <class Scalar>
 simulator::Line<Scalar> line_of(const Scene& scene);

@@ -70,10 +70,10 @@ std::array<Ball, 3> places_seen(const Trio::Shape& s, const Swing& c, const Trio
   return {at.A_at, at.C_at, c.j == 0 ? Ball(0) : Ball(at.B_at)};  // B was not met
 }
 /// Of five speeds, or how a later one follows from two before it, as first_speeds() says.
-Quadratic factor_of(const Trio::Speeds& s) { return s[2] == 0 ? 0 : (s[0] + s[4]) / s[2]; }
+Surd factor_of(const Trio::Speeds& s) { return s[2] == 0 ? 0 : (s[0] + s[4]) / s[2]; }
 /// That of collision j + 4 instead of that of j; false where it is too long.
-bool go_on(Trio::Speeds& s, const Quadratic& factor, std::int64_t j) {
-  Quadratic& one = s[std::size_t(j % 4)];
+bool go_on(Trio::Speeds& s, const Surd& factor, std::int64_t j) {
+  Surd& one = s[std::size_t(j % 4)];
   one = factor * s[std::size_t((j + 2) % 4)] - one;
   return one.bits() < Trio::longest_tie;
 }
@@ -121,15 +121,13 @@ Trio Trio::equal_blocks(const Value& alpha, const Value& e) {
   return *of(Start{{value_of(1), alpha, value_of(1)}, e});
 }
 
-std::optional<Trio::Exact> Trio::exact_bodies() const try {
+std::optional<Trio::Exact> Trio::exact_bodies() const {
   const std::vector<Value>& m = from_.masses;
   const auto A = quotient(m[0], m[1]);
-  const auto per_B = bodies() == 3 ? quotient(m[1], m[2]) : Quadratic(0);
+  const auto per_B = bodies() == 3 ? quotient(m[1], m[2]) : Surd(0);
   if (!from_.e.exact() || !A || !per_B) return {};
-  const Quadratic& e = *from_.e.exact();
-  return {{*A, *per_B, e, generated::shape_exact<Quadratic>(*A, *per_B, 1, e).q_e}};
-} catch (const std::domain_error&) {
-  return {};
+  const Surd& e = *from_.e.exact();
+  return {{*A, *per_B, e, generated::shape_exact<Surd>(*A, *per_B, 1, e).q_e}};
 }
 Trio::Shape Trio::shape() const {
   const std::vector<Value>& m = from_.masses;
@@ -155,41 +153,36 @@ std::optional<std::int64_t> Trio::count_at_threshold() const {
   if (ratio) return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
   static const Value in_field[]{read_value("magic:1"), read_value("magic:2")};
   for (std::int64_t k : {1, 2})
-    if (quotient(from_.masses[1], in_field[k - 1]) == Quadratic(1)) return 2 * k;
+    if (quotient(from_.masses[1], in_field[k - 1]) == Surd(1)) return 2 * k;
   return {};
 }
 /// By any_start.speed each second approach speed, over e each time, is a sum of each second
 /// U_j(kappa): each follows from the two before by one factor, which the first three tell
 /// (chebyshev.two_steps), and evenly where kappa is 1 (chebyshev.steps).
-std::optional<Trio::Speeds> Trio::first_speeds(const Quadratic& V, const Quadratic& W) const try {
+std::optional<Trio::Speeds> Trio::first_speeds(const Surd& V, const Surd& W) const {
   if (!exact_) return {};
-  simulator::InTurn<Quadratic> now(exact_->A, 1, exact_->per_B, exact_->e, V, W);
+  simulator::InTurn<Surd> now(exact_->A, 1, exact_->per_B, exact_->e, V, W);
   Speeds speeds;
-  Quadratic loss = 1;
+  Surd loss = 1;
   for (std::size_t j = 0; j < 5; now.step(), ++j) {
     speeds[j] = now.approach() / loss;
     if (j % 2 == 1) loss = loss * exact_->e;
   }
   return speeds;
-} catch (const std::domain_error&) {  // masses and velocities of two fields
-  return {};
 }
 /// Where kappa is above 1 each second speed is a q^i + b/q^i, q > 1, and a is end_speed but for a
 /// positive factor: s_0 s_4 - s_2^2 has the sign of a b. Where it is 1 they follow evenly.
-std::optional<int> Trio::end_sign(const Quadratic& V, const Quadratic& W) const try {
-  const auto sign = [](const Quadratic& x) { return 0 < x ? 1 : x == 0 ? 0 : -1; };
+std::optional<int> Trio::end_sign(const Surd& V, const Surd& W) const {
+  const auto sign = [](const Surd& x) { return 0 < x ? 1 : x == 0 ? 0 : -1; };
   if (V == 0) return sign(W);
   const auto s = first_speeds(1, W / V);
   if (!s) return {};
   const auto& [s_0, s_1, s_2, s_3, s_4] = *s;
   return sign(V) * (s_0 < s_2 ? 1 : sign(s_0 * s_4 - s_2 * s_2));
-} catch (const std::domain_error&) {
-  return {};
 }
-std::optional<Quadratic> Trio::speed(Speeds s, const Quadratic& factor, std::int64_t j) const {
+std::optional<Surd> Trio::speed(Speeds s, const Surd& factor, std::int64_t j) const {
   const std::size_t i = j % 2 == 0 ? 0 : 1;
-  if (exact_->q_e == 0)
-    return s[i] + Quadratic(cl_I(static_cast<long long>(j / 2))) * (s[i + 2] - s[i]);
+  if (exact_->q_e == 0) return s[i] + Surd(cl_I(static_cast<long long>(j / 2))) * (s[i + 2] - s[i]);
   for (std::int64_t k = 0; k < j; ++k)
     if (!go_on(s, factor, k)) return {};
   return s[std::size_t(j % 4)];
@@ -197,7 +190,7 @@ std::optional<Quadratic> Trio::speed(Speeds s, const Quadratic& factor, std::int
 std::optional<std::int64_t> Trio::exact_count(std::int64_t most) const {
   auto speeds = first_speeds(1, from_.W_per_V);
   if (!speeds) return {};
-  const Quadratic factor = factor_of(*speeds);
+  const Surd factor = factor_of(*speeds);
   const auto comes = [&](std::int64_t j) { return 0 < *speed(*speeds, factor, j); };
   if (exact_->q_e == 0) return count_of(std::int64_t(1) << 62U, comes);
   for (std::int64_t j = 0; j <= most; ++j) {
@@ -211,7 +204,7 @@ std::optional<std::int64_t> Trio::count() const {
   const cl_I most = cln::ash(cl_I(1), 62);
   if (exact_ && 0 < exact_->q_e) {
     // The angle is below pi sqrt(q_e)/2, so there are more than 2/sqrt(q_e) - 1 collisions.
-    if (is_at_rest() && exact_->q_e < Quadratic(cl_RA(1) / cln::square(most))) too_many();
+    if (is_at_rest() && exact_->q_e < Surd(cl_RA(1) / cln::square(most))) too_many();
     // A tie of pi/h_e with a whole number is decided collision by collision, of long numbers last.
     if (exact_->q_e.bits() < 128)
       if (const auto N = exact_count(largest_tie)) return N;
@@ -264,7 +257,7 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
   for (std::size_t i = 0; i < bodies(); ++i) all.push_back(velocity_of(u[i]));
   return all;
 }
-std::optional<Quadratic> Trio::exact_time(std::int64_t j, bool is_hard) const try {
+std::optional<Surd> Trio::exact_time(std::int64_t j, bool is_hard) const try {
   const auto met = quotient(from_.d_A, from_.V), later = quotient(from_.d_B, from_.V);
   if (j == 0 || is_at_once_) return met;
   if (!met || !later) return {};
@@ -272,7 +265,7 @@ std::optional<Quadratic> Trio::exact_time(std::int64_t j, bool is_hard) const tr
   if (is_at_rest() && at_threshold_ == 2 * j) return *met + *later;
   const auto speeds = first_speeds(1, from_.W_per_V), gaps = first_speeds(*met, *later);
   if (!is_hard || !speeds || !gaps) return {};
-  const Quadratic factor = factor_of(*speeds);
+  const Surd factor = factor_of(*speeds);
   const auto gap = speed(*gaps, factor, j), nearing = speed(*speeds, factor, j);
   return gap && nearing ? std::optional(*gap / *nearing) : std::nullopt;  // any_start.instant
 } catch (const std::domain_error&) {
@@ -303,11 +296,10 @@ std::vector<Ball> Trio::places(const Shape& s, const Ball& time, std::int64_t N)
 /// Where (V t - d_A) + (W t - d_B) r_e y_e, as in end_speed, is 0 or more (bodies.t_any).
 bool Trio::has_collapsed(const Value& time) const {
   const auto met = quotient(from_.d_A, from_.V), later = quotient(from_.d_B, from_.V);
-  if (met && later && time.exact()) try {
-      const Quadratic& t = *time.exact();
-      if (const auto sign = end_sign(t - *met, from_.W_per_V * t - *later)) return *sign >= 0;
-    } catch (const std::domain_error&) {  // of two fields
-    }
+  if (met && later && time.exact()) {
+    const Surd& t = *time.exact();
+    if (const auto sign = end_sign(t - *met, from_.W_per_V * t - *later)) return *sign >= 0;
+  }
   return collapse(shape()).time <= ball_of(time);
 }
 Trio::Collision Trio::collapse(const Shape& s) const {

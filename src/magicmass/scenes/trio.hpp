@@ -19,7 +19,7 @@ public:
     std::vector<Value> masses;  ///< of A, C and B; no B: a wall
     Value e = value_of(1);
     Value V = value_of(1);                           ///< A approaches the ball
-    Quadratic W_per_V = 0;                           ///< and the ball approaches B
+    Surd W_per_V = 0;                                ///< and the ball approaches B
     Value d_A = value_of(0), d_B = value_of(1);      ///< how wide the gaps are
     Value place = value_of(1), drift = value_of(0);  ///< of B or the wall, and its velocity
   };
@@ -61,7 +61,7 @@ public:
   /// Whether collisions go on for ever, and time with them.
   bool is_endless() const { return end_sign_ == 0; }
   /// When it takes place, where that is known exactly; `is_hard`: after as many steps as it takes.
-  std::optional<Quadratic> exact_time(std::int64_t j, bool is_hard) const;
+  std::optional<Surd> exact_time(std::int64_t j, bool is_hard) const;
   std::size_t bodies() const { return from_.masses.size(); }
   /// Velocities of all bodies after so many collisions.
   std::vector<Ball> velocities(const Shape& s, std::int64_t collisions) const;
@@ -75,29 +75,29 @@ public:
   /// Whether they have come to it by this time.
   bool has_collapsed(const Value& time) const;
 
-  using Speeds = std::array<Quadratic, 5>;
+  using Speeds = std::array<Surd, 5>;
   static constexpr std::size_t longest_tie = 1U << 15U;  ///< in bits
 
 private:
-  /// By Niven's theorem no angle pi/m has a cosine that is a root of a number of a quadratic field
-  /// for larger m.
-  static constexpr std::int64_t largest_tie = 12;
+  /// For larger m no angle pi/m has a cosine whose square is a surd: the Galois group of
+  /// cos(2 pi/m) is that of units modulo m but for signs, and has an element of higher order.
+  static constexpr std::int64_t largest_tie = 24;
   Start from_;
   bool is_at_once_ = false;  ///< all collisions take place with the first
   int end_sign_ = 1;         ///< where q_e is 0 or less
-  /// In units of the mass of C; nothing for numbers of two fields, or of none.
+  /// In units of the mass of C; nothing where a ratio is no surd.
   struct Exact {
-    Quadratic A, per_B, e, q_e;
+    Surd A, per_B, e, q_e;
   };
   std::optional<Exact> exact_;
   std::optional<std::int64_t> at_threshold_;
 
   /// The first approach speeds, over e for each two. Nothing likewise.
-  std::optional<Speeds> first_speeds(const Quadratic& V, const Quadratic& W) const;
+  std::optional<Speeds> first_speeds(const Surd& V, const Surd& W) const;
   /// The one before collision j, that goes with these; nothing where it is too long.
-  std::optional<Quadratic> speed(Speeds first, const Quadratic& factor, std::int64_t j) const;
+  std::optional<Surd> speed(Speeds first, const Surd& factor, std::int64_t j) const;
   /// The sign of bodies.end_speed for any V and W, where q_e is 0 or less. Nothing likewise.
-  std::optional<int> end_sign(const Quadratic& V, const Quadratic& W) const;
+  std::optional<int> end_sign(const Surd& V, const Surd& W) const;
   /// At most so many; nothing, too, for more, and where numbers become too long.
   std::optional<std::int64_t> exact_count(std::int64_t most) const;
   using Velocities = std::array<Ball, 3>;
@@ -107,7 +107,7 @@ private:
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const;
   std::optional<Exact> exact_bodies() const;
-  /// By Niven's theorem only the first two are in a quadratic field.
+  /// Only the first two are surds.
   std::optional<std::int64_t> count_at_threshold() const;
 };
 
@@ -130,8 +130,8 @@ public:
 
   /// With the bits that are set now, as all that follows.
   Trio::Collision collision(std::int64_t j) const;
-  /// When it takes place, where that is known to be in the field of V and places; as of a Trio.
-  std::optional<Quadratic> exact_time(std::int64_t j, bool is_hard) const;
+  /// When it takes place, where that is known to be a surd; as of a Trio.
+  std::optional<Surd> exact_time(std::int64_t j, bool is_hard) const;
   std::size_t bodies() const { return is_cradle_ ? 2 * pairs_.size() + 1 : alone()->bodies(); }
   /// How many collisions come before those of a trio.
   std::int64_t thrown() const { return thrown_ ? 1 : 0; }
@@ -156,21 +156,19 @@ private:
   };
   std::vector<Pair> pairs_;  // in the order in which they are met on the way out
   bool is_cradle_ = true, is_mirrored_ = false;
-  std::int64_t way_ = 0;                     // collisions of one way
-  Quadratic x_, V_;                          // the straight line: where it begins at time 0
-  std::optional<Quadratic> ahead_, behind_;  // walls
+  std::int64_t way_ = 0;                // collisions of one way
+  Surd x_, V_;                          // the straight line: where it begins at time 0
+  std::optional<Surd> ahead_, behind_;  // walls
   /// Where the ball hits the wall before it meets the block: then the trio is that of a ball that
   /// has always come from beyond the wall, as slowly as it leaves it.
-  std::optional<simulator::Line<Quadratic>> thrown_;
+  std::optional<simulator::Line<Surd>> thrown_;
   /// What is the same for each ball of one magic ratio, by bits and its number.
   mutable std::map<std::pair<int, std::int64_t>, Trio::Shape> shapes_;
 
   /// Likewise, but not in a mirror.
   static Found<Trios> as_it_is(const Scene& scene);
-  static Found<Trios> cradle(const std::vector<Value>& masses,
-                             const simulator::Line<Quadratic>& line);
-  static Found<Trios> off_wall(const std::vector<Value>& masses,
-                               const simulator::Line<Quadratic>& line);
+  static Found<Trios> cradle(const std::vector<Value>& masses, const simulator::Line<Surd>& line);
+  static Found<Trios> off_wall(const std::vector<Value>& masses, const simulator::Line<Surd>& line);
   static Trios of_one(const Trio& trio);
   const Trio::Shape& shape_of(const Pair& pair) const;
   /// After so many collisions all comes again, only later.
@@ -179,7 +177,7 @@ private:
   Moment moment(std::int64_t j) const;
   /// Places or velocities of all bodies, likewise.
   std::vector<Ball> seen(std::vector<Ball> all) const;
-  Quadratic time_at(const Quadratic& place) const { return (place - x_) / V_; }
+  Surd time_at(const Surd& place) const { return (place - x_) / V_; }
 };
 
 }  // namespace magicmass::scenes

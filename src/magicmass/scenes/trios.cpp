@@ -9,7 +9,7 @@ const std::string none_comes = "no block meets the ball";
 const std::string ends = "not a cradle, which begins and ends with a block, one of them in motion";
 
 /// Does B reach this place only after the last collision of its trio?
-bool has_room(const Trio& trio, std::int64_t k, const Quadratic& place) try {
+bool has_room(const Trio& trio, std::int64_t k, const Surd& place) try {
   return with_bits(
       17, [&] { return trio.collision(trio.shape(), 2 * k - 1).position < ball_of(place); });
 } catch (const Undecided&) {
@@ -46,24 +46,23 @@ Found<Trios> Trios::as_it_is(const Scene& scene) {
   exact.masses.assign(scene.masses.size(), value_of(1));
   exact.times.clear();
   exact.until.reset();
-  if (!has_exact_numbers(exact)) return "its numbers are of more than one field";
-  const auto line = line_of<Quadratic>(exact);
+  if (!has_exact_numbers(exact)) return "its numbers are not known exactly";
+  const auto line = line_of<Surd>(exact);
   return scene.masses.size() == 2 ? off_wall(scene.masses, line) : cradle(scene.masses, line);
 }
 
-Found<Trios> Trios::cradle(const std::vector<Value>& masses,
-                           const simulator::Line<Quadratic>& line) {
+Found<Trios> Trios::cradle(const std::vector<Value>& masses, const simulator::Line<Surd>& line) {
   Trios all;
-  const std::vector<Quadratic>&x = line.positions, &v = line.velocities;
+  const std::vector<Surd>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
-  const auto moves = [](const Quadratic& u) { return !(u == 0); };
+  const auto moves = [](const Surd& u) { return !(u == 0); };
   if (bodies < 3 || bodies % 2 == 0 || std::any_of(v.begin() + 1, v.end(), moves)) return ends;
   all.x_ = x[0];
   all.V_ = v[0];
   all.ahead_ = line.right_wall;
   all.behind_ = line.left_wall;
   for (std::size_t ball = 1; ball < bodies; ball += 2) {
-    const Quadratic L = x[ball + 1] - x[ball];
+    const Surd L = x[ball + 1] - x[ball];
     const auto trio = Trio::of({.masses{masses[ball - 1], masses[ball], masses[ball + 1]},
                                 .e{"", line.restitution},
                                 .V{"", v[0]},
@@ -85,15 +84,14 @@ Found<Trios> Trios::cradle(const std::vector<Value>& masses,
   return all;
 }
 
-Found<Trios> Trios::off_wall(const std::vector<Value>& masses,
-                             const simulator::Line<Quadratic>& line) {
+Found<Trios> Trios::off_wall(const std::vector<Value>& masses, const simulator::Line<Surd>& line) {
   if (line.right_wall && line.left_wall) return "a ball or a block between two walls";
   if (!line.right_wall) return line.left_wall ? none_comes : "only two bodies";
-  const Quadratic wall = *line.right_wall, e = line.restitution, none(0);
-  const Quadratic W = line.velocities[1], V = line.velocities[0] - W;
-  const Quadratic d_A = line.positions[1] - line.positions[0], d_B = wall - line.positions[1];
+  const Surd wall = *line.right_wall, e = line.restitution, none(0);
+  const Surd W = line.velocities[1], V = line.velocities[0] - W;
+  const Surd d_A = line.positions[1] - line.positions[0], d_B = wall - line.positions[1];
   const bool is_first = V < W ? !(W * d_A < V * d_B) : V * d_B < W * d_A;
-  const Quadratic faster = V + W + e * W;
+  const Surd faster = V + W + e * W;
   if (!(0 < W) || (0 < V && !is_first) || !(0 < faster)) return none_comes;
   const auto trio = Trio::of({.masses = masses,
                               .e{"", e},
@@ -129,14 +127,14 @@ struct Trios::Moment {
   bool is_back;         ///< or at the wall behind
   const Pair* pair;     ///< nothing for a wall
   std::int64_t number;  ///< on the way out
-  Quadratic from;       ///< the time from which that on the first way counts
+  Surd from;            ///< the time from which that on the first way counts
 };
 Trios::Moment Trios::moment(std::int64_t j) const {
   j -= thrown();
   const std::int64_t of_round = j % period();
   Moment m{of_round > way_, nullptr, 0, 0};
   if (ahead_ && behind_)
-    m.from = Quadratic(2 * cln::cl_I(static_cast<long long>(j / period()))) *
+    m.from = Surd(2 * cln::cl_I(static_cast<long long>(j / period()))) *
              (time_at(*ahead_) - time_at(*behind_));
   if (m.is_back) m.from = m.from + 2 * time_at(*ahead_);
   if (of_round % (way_ + 1) == way_) return m;
@@ -145,7 +143,7 @@ Trios::Moment Trios::moment(std::int64_t j) const {
   m.number -= m.pair->before;
   return m;
 }
-std::optional<Quadratic> Trios::exact_time(std::int64_t j, bool is_hard) const {
+std::optional<Surd> Trios::exact_time(std::int64_t j, bool is_hard) const {
   if (j < thrown()) return (*thrown_->right_wall - thrown_->positions[1]) / thrown_->velocities[1];
   const Moment m = moment(j);
   const auto on_first_way =
@@ -182,9 +180,9 @@ Trio::Collision Trios::collision(std::int64_t j) const {
     }
     c.gap += static_cast<std::size_t>(m.pair->first);
   } else {
-    const Quadratic& wall = m.is_back ? *behind_ : *ahead_;
+    const Surd& wall = m.is_back ? *behind_ : *ahead_;
     c = {0, m.is_back ? 0 : bodies(), ball_of(time_at(wall)), ball_of(wall), 0, 0};
-    (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Quadratic(0) - V_);
+    (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Surd(0) - V_);
   }
   c.number = j + 1;
   c.time = ball_of(m.from) + (m.is_back ? -c.time : c.time);

@@ -14,44 +14,45 @@ using kernel::Op;
 constexpr std::size_t longest_text = 4096;
 constexpr std::size_t most_bits = 1U << 17U;
 
-/// All ratios of the paper that are in a quadratic field.
-constexpr std::pair<const char*, const char*> quadratic_ratios[]{{"magic:1", "1"},
-                                                                 {"magic:2", "sqrt(5)-2"},
-                                                                 {"deficient:1", "sqrt(2)-1"},
-                                                                 {"deficient:2", "2/sqrt(3)-1"}};
+/// All ratios of the paper that are surds.
+constexpr std::pair<const char*, const char*> surd_ratios[]{{"magic:1", "1"},
+                                                            {"magic:2", "sqrt(5)-2"},
+                                                            {"deficient:1", "sqrt(2)-1"},
+                                                            {"deficient:2", "2/sqrt(3)-1"},
+                                                            {"deficient:5", "sqrt(6)-sqrt(2)-1"}};
 
 [[noreturn]] void refuse(const std::string& why) { throw InvalidInput(why); }
 
-Quadratic checked(Quadratic x) {
+Surd checked(Surd x) {
   if (x.bits() > most_bits) refuse("a number of more than " + std::to_string(most_bits) + " bits");
   return x;
 }
 
 /// The value of a term without variables. Throws std::domain_error, too.
-Quadratic evaluate(Expr e) {
+Surd evaluate(Expr e) {
   switch (e.op()) {
     case Op::Num:
       return e.value();
     case Op::Add:
     case Op::Mul: {
-      Quadratic result = evaluate(e.arg(0));
+      Surd result = evaluate(e.arg(0));
       for (std::size_t i = 1; i < e.size(); ++i) {
-        const Quadratic next = evaluate(e.arg(i));
+        const Surd next = evaluate(e.arg(i));
         result = checked(e.op() == Op::Add ? result + next : result * next);
       }
       return result;
     }
     case Op::Pow: {
-      const Quadratic base = evaluate(e.arg(0));
+      const Surd base = evaluate(e.arg(0));
       if (base.bits() * static_cast<std::size_t>(e.exponent()) > 2 * most_bits)
         refuse("a power of more than " + std::to_string(most_bits) + " bits");
-      Quadratic result = 1;
+      Surd result = 1;
       for (int k = 0; k < e.exponent(); ++k) result = result * base;
       return result;
     }
     case Op::Fun:
-      if (e.name() == "inv") return Quadratic(1) / evaluate(e.arg(0));
-      if (e.name() == "sqrt") return Quadratic::sqrt(evaluate(e.arg(0)));
+      if (e.name() == "inv") return Surd(1) / evaluate(e.arg(0));
+      if (e.name() == "sqrt") return Surd::sqrt(evaluate(e.arg(0)));
       [[fallthrough]];
     default:
       refuse("only whole numbers, + - * / ^ and square roots of whole numbers have a value here");
@@ -87,30 +88,28 @@ Ball ball_of(const Value& value) {
                                                    : generated::deficient_closed<Ball>(k).beta_);
 }
 
-/// No ratio that is kept as one is a root of a quadratic equation.
+/// No ratio that is kept as one is a surd.
 bool Value::is_positive() const {
-  if (exact()) return Quadratic(0) < number;
+  if (exact()) return Surd(0) < number;
   return with_bits(17, [this] { return ball_of(*this) > 0; });
 }
 
 Value negative(const Value& x) {
-  return {x.text.empty() ? "" : "-" + x.text, Quadratic(0) - x.number, x.ratio, -x.sign};
+  return {x.text.empty() ? "" : "-" + x.text, Surd(0) - x.number, x.ratio, -x.sign};
 }
 
-std::optional<Value> difference(const Value& x, const Value& y) try {
-  const Quadratic rest = x.number - y.number;
+std::optional<Value> difference(const Value& x, const Value& y) {
+  const Surd rest = x.number - y.number;
   if (!y.ratio) return Value{"", rest, x.ratio, x.sign};
   if (!x.ratio) return Value{"", rest, y.ratio, -y.sign};
   if (ratio_of(x) != ratio_of(y) || x.sign != y.sign) return {};
   return Value{"", rest};
-} catch (const std::domain_error&) {
-  return {};
 }
 
-std::optional<Quadratic> quotient(const Value& x, const Value& y) try {
-  if (x.is(0)) return Quadratic(0);
+std::optional<Surd> quotient(const Value& x, const Value& y) try {
+  if (x.is(0)) return Surd(0);
   if (x.exact() && y.exact()) return x.number / y.number;
-  const Quadratic turn = x.sign * y.sign;
+  const Surd turn = x.sign * y.sign;
   const bool is_it = ratio_of(x) == ratio_of(y) && x.number == turn * y.number;
   return is_it ? std::optional(turn) : std::nullopt;
 } catch (const std::domain_error&) {
@@ -133,7 +132,7 @@ Value read_value(std::string_view text) {
       const auto value = notation::read_double(text);
       if (!value) refuse("not a number");
       if (std::isinf(*value)) refuse("it does not fit a double, write it as a fraction");
-      return {std::string(text), Quadratic(*value)};
+      return {std::string(text), Surd(*value)};
     }
     return {std::string(text), checked(evaluate(notation::read(text)))};
   } catch (const std::domain_error& error) {
@@ -145,11 +144,11 @@ Value read_value(std::string_view text) {
 
 Value value_of(const notation::Alpha& ratio) {
   const std::string text = notation::text(ratio);
-  for (const auto& [name, value] : quadratic_ratios)
+  for (const auto& [name, value] : surd_ratios)
     if (text == name) return {text, evaluate(notation::read(value))};
   if (const auto* at = std::get_if<notation::Threshold>(&ratio)) return {text, 0, *at};
   const auto* rational = std::get_if<cln::cl_RA>(&ratio);
-  return {text, rational != nullptr ? Quadratic(*rational) : Quadratic(std::get<double>(ratio))};
+  return {text, rational != nullptr ? Surd(*rational) : Surd(std::get<double>(ratio))};
 }
 
 Value value_of(double number) {

@@ -66,3 +66,22 @@ TEST_CASE("nearest doubles and decimals, at their edges") {
   CHECK_FALSE(decimal(cl_RA(-1) / 10, cl_RA(1) / 10, 2).has_value());
   CHECK(decimal(0, 0, 5) == "0");
 }
+TEST_CASE("surds are numbers of one field, whatever their roots") {
+  const auto root = [](int n) { return Surd::sqrt(n); };
+  const Surd sum = root(2) + root(3) - root(5);
+  CHECK(sum.text() == "sqrt(2)+sqrt(3)-sqrt(5)");
+  CHECK(sum / sum == 1);
+  CHECK((Surd(1) / sum).text() == "1/4*sqrt(2)+1/6*sqrt(3)+1/12*sqrt(30)");
+  CHECK((root(2) + root(3)) * (root(2) + root(3)) == Surd(5) + Surd(2) * root(6));
+  CHECK(root(8) - Surd(2) * root(2) == 0);
+  CHECK(root(2 * 1009 * 1009) == Surd(1009) * root(2));  // no square that is looked for
+  const Surd odd = root(2 * 1009 * 1009) + root(3 * 1009) + root(1013 * 1009);
+  CHECK(odd / odd == 1);
+  const Surd less(cln::cl_RA(1) / cln::expt(cl_RA(10), 100));
+  CHECK(sum - less < sum);
+  CHECK_FALSE(sum < sum);
+  CHECK((sum - less - sum).to_double() == -1e-100);
+  CHECK_THROWS_WITH(root(2) / (root(6) - root(2) * root(3)), "a division by 0");
+  CHECK_THROWS_WITH(Surd::sqrt(root(2)), "a square root in a square root");
+  CHECK_THROWS_WITH(root(-2), "the square root of a negative number");
+}

@@ -190,16 +190,16 @@ TEST_CASE("places at given times are those of the engine", "[check]") {
     for (const bool exact : {true, false}) {
       const Scene scene =
           scene_of(text + "outputs = ['trajectory']\ntimes = [" + times + "70]\n", exact);
-      magicmass::simulator::Engine<Quadratic> engine(line_of<Quadratic>(scene));
+      magicmass::simulator::Engine<Surd> engine(line_of<Surd>(scene));
       std::size_t points = 0;
       trajectory(scene, run(scene), [&](const Point& point) {
-        const Quadratic time(cln::cl_RA(static_cast<int>(points / scene.masses.size())) / 5);
+        const Surd time(cln::cl_RA(static_cast<int>(points / scene.masses.size())) / 5);
         while (engine.next() && !(time < *engine.next())) engine.step();
-        const Quadratic place = engine.position(point.body, time);
+        const Surd place = engine.position(point.body, time);
         REQUIRE(point.body == points++ % scene.masses.size());
         if (exact) {
-          REQUIRE(std::get<Quadratic>(point.time) == time);
-          REQUIRE(std::get<Quadratic>(point.position) == place);
+          REQUIRE(std::get<Surd>(point.time) == time);
+          REQUIRE(std::get<Surd>(point.position) == place);
         }
         REQUIRE_THAT(number(point.position), WithinAbs(place.to_double().value(), 1e-11));
       });

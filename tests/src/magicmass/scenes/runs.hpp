@@ -20,7 +20,7 @@ inline Result result_of(const std::string& text, bool is_exact = false) {
   return run(scene_of(text, is_exact));
 }
 /// As a scene writes it.
-inline std::string quoted(const cln::cl_RA& x) { return "'" + Quadratic(x).text() + "'"; }
+inline std::string quoted(const cln::cl_RA& x) { return "'" + Surd(x).text() + "'"; }
 inline std::string list(const std::vector<std::string>& values) {
   std::string all;
   for (const std::string& value : values) all += value + ", ";

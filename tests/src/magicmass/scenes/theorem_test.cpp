@@ -134,7 +134,7 @@ void check_told(const std::vector<Numbers>& told, const std::vector<Step>& rows)
 void check_until(Scene scene, const std::vector<Step>& rows) {
   const cl_RA last = rows.at(engine() % rows.size()).time;
   if (rows.front().time == rows.back().time) return;
-  scene.until = Value{"", Quadratic(last)};
+  scene.until = Value{"", Surd(last)};
   const Result result = run(scene);
   REQUIRE(result.plan.model == "theorem");
   const auto is_by = [&](const Step& row) { return row.time <= last; };
@@ -178,7 +178,7 @@ void check(Line line, bool is_long, Seen& seen) {
   std::size_t n = 0;
   stream(scene, {"events", true, ""}, [&](const Row& row) {
     const Step& step = rows.at(n++);
-    const auto is = [](const Number& x, const cl_RA& y) { return std::get<Quadratic>(x) == y; };
+    const auto is = [](const Number& x, const cl_RA& y) { return std::get<Surd>(x) == y; };
     REQUIRE((row.gap == step.gap && is(row.time, step.time) && is(row.position, step.position)));
     REQUIRE((is(row.v_left, step.v_left) && is(row.v_right, step.v_right)));
   });
@@ -218,7 +218,7 @@ TEST_CASE("A ball that hits the wall before it meets the block", "[check]") {
     }
     check(line, true, seen);
     const cl_RA early = (wall - x) / W / 2;
-    REQUIRE(holds(trio->places(ball_of(Quadratic(early)), 0)[1], x + early * W));
+    REQUIRE(holds(trio->places(ball_of(Surd(early)), 0)[1], x + early * W));
     REQUIRE(holds(trio->velocities(0)[0], line.v[0]));
   }
   CHECK(seen.few > 300);
