@@ -14,10 +14,6 @@
 namespace {
 namespace fs = std::filesystem;
 
-std::string contents(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 // Without continued lines and needless blanks; comments are code, too, once without and once with
 // their words, because "//" may stand in a string.
 std::string bare(std::string code) {
@@ -37,8 +33,9 @@ std::map<std::string, std::string> seeing(const std::vector<fs::path>& folders) 
   for (const fs::path& folder : folders)
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const std::string file = entry.path().generic_string();
+      std::ifstream in(file);
       if (file.ends_with(".cpp") || file.ends_with(".hpp"))
-        all.emplace(file, bare(contents(entry.path())));
+        all.emplace(file, bare({std::istreambuf_iterator<char>(in), {}}));
     }
   std::vector<std::string> open{"kernel/"};  // ends of names as others write them
   const auto take = [&](const std::string& file) {
