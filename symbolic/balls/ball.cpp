@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "balls/ball.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -199,22 +200,22 @@ cl_RA exact(double value) {
   return scaled(cl_I(static_cast<long long>(whole)), exponent - 53);
 }
 
-void Surd::add(const cl_I& d, cl_RA factor) {
+void Surd::add(const cl_I& d, const cl_RA& factor) {
+  if (cln::zerop(factor)) return;
   cl_I root;
   if (cln::sqrtp(d, &root)) {
     rational_ = rational_ + factor * root;
     return;
   }
-  auto place = roots_.emplace(d, 0).first;
-  for (auto other = roots_.begin(); other != roots_.end(); ++other)
-    if (other != place && cln::sqrtp(cl_I(d * other->first), &root)) {  // the same but for a factor
-      factor = factor * root / other->first;
-      roots_.erase(place);
-      place = other;
-      break;
-    }
-  place->second = place->second + factor;
-  if (cln::zerop(place->second)) roots_.erase(place);
+  for (auto one = roots_.begin(); one != roots_.end(); ++one) {
+    auto& [e, sum] = *one;
+    if (d != e && !cln::sqrtp(cl_I(d * e), &root)) continue;
+    sum = sum + (d == e ? factor : factor * root / e);  // the same root but for a rational factor
+    if (cln::zerop(sum)) roots_.erase(one);
+    return;
+  }
+  const auto is_larger = [&](const auto& one) { return one.first > d; };
+  roots_.insert(std::ranges::find_if(roots_, is_larger), {d, factor});
 }
 Surd Surd::sqrt(const Surd& x) {
   if (!x.roots_.empty()) throw std::domain_error("a square root in a square root");
@@ -257,7 +258,7 @@ Surd Surd::with_factor() const {
   for (const auto& [d, factor] : roots_)
     if (const cl_I both = cln::gcd(common, d); both > 1) common = both;
   for (const auto& [d, factor] : roots_)
-    if (cln::gcd(common, d) > 1) part.roots_.emplace(d, factor);
+    if (cln::gcd(common, d) > 1) part.roots_.emplace_back(d, factor);
   return part;
 }
 Surd operator/(const Surd& x, const Surd& y) {
