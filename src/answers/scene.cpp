@@ -60,15 +60,16 @@ Table shown_in(Format format, Fields fields) {
   return one_row(fields);
 }
 
-/// So many collisions, or what stands for infinitely many.
-Cell count_cell(const Result& result, std::int64_t collisions, const Cell& infinitely_many) {
-  return result.status == Status::collapse ? infinitely_many : whole_cell(collisions);
+/// So many collisions, or infinitely many.
+Cell count_cell(const Result& result, std::int64_t collisions) {
+  const bool is_endless = result.status == Status::collapse;
+  return is_endless ? Cell{"infinitely many", "null"} : whole_cell(collisions);
 }
 
 Fields plan_fields(const Result& result) {
   return {{"model", text_cell(result.plan.model)},
           {"reason", text_cell(result.plan.reason)},
-          {"events", count_cell(result, result.events, missing_cell())}};
+          {"events", count_cell(result, result.events)}};
 }
 
 /// What stands before the collisions.
@@ -93,8 +94,7 @@ Fields head_fields(const Asked& asked) {
     Fields counts;
     const std::size_t gaps = scene.masses.size() + (scene.right_wall ? 1 : 0);
     for (std::size_t gap = scene.left_wall ? 0 : 1; gap < gaps; ++gap)
-      counts.emplace_back(gap_name(scene, gap),
-                          count_cell(result, result.counts[gap], {"infinitely many", "null"}));
+      counts.emplace_back(gap_name(scene, gap), count_cell(result, result.counts[gap]));
     fields.emplace_back("counts", object_cell(counts));
   }
   if (scene.wants("terminal")) {

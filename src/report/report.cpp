@@ -116,9 +116,20 @@ std::string document_of(const std::vector<Measurement>& measurements, bool is_ma
       if (one.quantity == quantity && one.*of == name) some.push_back(one);
     return some;
   };
+  // The ratio, which is last, with how far rounds are from it.
+  const auto with_spread = [](const std::vector<Measurement>& these, const Names& columns) {
+    Table table = selected(table_of(these), columns);
+    for (std::size_t i = 0; i < these.size(); ++i) {
+      const Times& t = these[i].times;
+      const double off = std::max(t.ratio_high - t.ratio, t.ratio - t.ratio_low) / t.ratio;
+      if (t.ratio > 0) table.rows[i].back().text += formatted(" +-%.0f %%", 100 * off);
+    }
+    return table;
+  };
   std::string summary =
-      "Errors are in ulp; ratio is the time over naive's on the same inputs. First what\n"
-      "was seen over all families: the worst one, sums, the ratio on everyday inputs.\n";
+      "Errors are in ulp; ratio is the time over naive's on the same inputs, with how\n"
+      "far the rounds are from it. First what was seen over all families: the worst\n"
+      "one, sums, the ratio on everyday inputs.\n";
   std::string blocks;
   for (const auto& [quantity, name] : quantities) {
     std::vector<Measurement> sums;
@@ -127,13 +138,13 @@ std::string document_of(const std::vector<Measurement>& measurements, bool is_ma
       if (one.quantity == quantity && !its.empty()) sums.push_back(over_families(its));
     }
     const Names of_sums{"evaluator", "family", "max_ulp", "misrounded", "wrong", "ratio"};
-    summary += section(name, selected(table_of(sums), of_sums), is_markdown);
+    summary += section(name, with_spread(sums, of_sums), is_markdown);
     for (const Family& family : families()) {
-      const Table its = table_of(those(quantity, &Measurement::family, family.name));
+      const auto its = those(quantity, &Measurement::family, family.name);
       const Names columns{"evaluator", "max_ulp", "over_envelope", "misrounded",
                           "wrong",     "ns",      "ratio"};
       blocks += section(name + ", " + family.name + ": " + family.description,
-                        selected(its, columns), is_markdown);
+                        with_spread(its, columns), is_markdown);
     }
   }
   return summary + blocks;
