@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/run.hpp"
 
+#include "magicmass/exact/exact.hpp"
+
 namespace magicmass::scenes {
 namespace {
 
@@ -134,6 +136,26 @@ Result exactly(const Scene& scene, Result result) {
   return result;
 }
 
+/// What the paper's three bodies come to, or their mirror image, where no collision is asked for.
+std::optional<Result> exactly_at_end(const Scene& scene, Result result) {
+  const bool is_asked = scene.wants("events") || scene.wants("trajectory");
+  if (is_asked || scene.masses.size() != 3 || result.status != Status::complete) return {};
+  const auto line = line_of<Surd>(scene);
+  const std::vector<Surd>&m = line.masses, &v = line.velocities;
+  const std::size_t A = v[1] == v[2] ? 0 : 2, B = 2 - A;
+  if (!(m[A] == m[B] && v[B] == v[1] && line.restitution == 1) || result.events < 2) return {};
+  const Surd alpha = m[1] / m[A], V = v[A] - v[B];
+  const std::int64_t N_A = (result.events + 1) / 2, N_B = result.events / 2;
+  if (double(alpha.bits()) * double(N_A) > 0x1p20) return {};
+  const auto end = generated::terminal_exact(alpha, N_A, N_B);
+  result.terminal = {v[B], v[B] + V * end.c_t, v[B]};
+  result.terminal[A] = v[B] + V * end.a_t;
+  result.terminal[B] = v[B] + V * end.b_t;
+  set_energies(scene, line, result);
+  result.plan.is_exact = true;
+  return result;
+}
+
 template <class Scalar>
 void follow(const Scene& scene, const Result& result, const Points& sink) {
   simulator::Line<Scalar> line = line_of<Scalar>(scene);
@@ -233,11 +255,13 @@ Result run(const Scene& scene) {
   if (solved && !solved->plan.is_exact) {
     if (!scene.is_exact) return *solved;
     if (solved->status == Status::collapse) return exactly(scene, std::move(*solved));
+    if (const auto end = exactly_at_end(scene, *solved)) return *end;
   }
   if (solved || scene.is_exact) try {
       Result result = motion<Surd>(scene, limit);
-      result.plan =
-          scene.is_exact ? Plan{"events", true, "exact numbers are asked for"} : solved->plan;
+      result.plan = solved && solved->plan.is_exact
+                        ? solved->plan
+                        : Plan{"events", true, "exact numbers are asked for"};
       return result;
     } catch (const Undecided& error) {
       if (solved && !scene.is_exact) return *by_theorem(scene, -1);
