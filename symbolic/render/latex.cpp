@@ -57,4 +57,8 @@ public:
 }  // namespace
 
 std::string latex(Expr e) { return Latex().text(e); }
+std::string latex_name(const std::string& head, const std::string& index) {
+  const std::string name = Latex().name({head, false, ""});
+  return "$" + (index.empty() ? name : Latex().indexed(name, index)) + "$";
+}
 }  // namespace render

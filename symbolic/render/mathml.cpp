@@ -72,4 +72,9 @@ public:
 std::string mathml(Expr e, bool is_block) {
   return (is_block ? "<math display=\"block\">" : "<math>") + Mathml().text(e) + "</math>";
 }
+std::string mathml_name(const std::string& head, const std::string& index) {
+  const std::string name = Mathml().name({head, false, ""});
+  const std::string letters = "<mi>" + index + "</mi>";
+  return "<math>" + (index.empty() ? name : Mathml().indexed(name, letters)) + "</math>";
+}
 }  // namespace render

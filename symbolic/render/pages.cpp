@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
-#include "render/pages.hpp"
-
-#include <algorithm>
+#include <regex>
 #include <sstream>
+
+#include "render/visitor.hpp"
 
 namespace render {
 namespace {
-using kernel::Expr;
-using kernel::Exprs;
-
 std::string listed(const auto& all, const auto& print, const std::string& between) {
   std::string out;
   for (const auto& one : all) out += (out.empty() ? "" : between) + print(one);
@@ -34,6 +31,7 @@ std::string because(const Step& s, std::string (*link)(const std::string&)) {
 Exprs lines_of(Expr f) { return f.op() == kernel::Op::And ? f.args() : Exprs{f}; }
 /// What a page puts around its parts.
 struct Markup {
+  std::string (*name)(const std::string& head, const std::string& index);
   std::string (*escaped)(const std::string& words);
   std::string (*heading)(const std::string& title);
   std::string (*paragraph)(const std::string& inside, const std::string& id);
@@ -63,14 +61,27 @@ std::string conditions(const Markup& m, const std::string& before, const Exprs& 
   for (const Expr& condition : all) out += m.block(condition);
   return after.size() == 1 ? out : out + m.paragraph(after.substr(2), "");
 }
+/// Words with the names in them as formulas have them: M_1, P_(n+1), alpha.
+std::string with_names(const std::string& words, const Markup& m) {
+  static const std::regex names("([A-Za-z]+)(?:_\\(([^)]*)\\)|_(\\w+))?");
+  std::string out;
+  auto done = words.begin();
+  for (std::sregex_iterator i(words.begin(), words.end(), names), end; i != end; ++i) {
+    const std::smatch& found = *i;
+    if (found[0].length() == found[1].length() && !greek.contains(found[1])) continue;
+    out += m.escaped({done, found[0].first}) + m.name(found[1], found[2].str() + found[3].str());
+    done = found[0].second;
+  }
+  return out + m.escaped({done, words.end()});
+}
 std::string page(const std::vector<Section>& sections, const Markup& m) {
   std::string out;
   for (const Section& section : sections) {
-    out += m.heading(m.escaped(section.title));
+    out += m.heading(with_names(section.title, m));
     out += conditions(m, "Throughout: ", section.assumptions, ", ",
                       integers(section.assumptions, m.in_line) + ".");
     for (const Step& s : section.steps) {
-      out += m.paragraph(m.escaped(s.words), s.id);
+      out += m.paragraph(with_names(s.words, m), s.id);
       out += conditions(m, "If ", s.conditions, " and ", ":");
       for (const Expr& line : lines_of(s.formula)) out += m.block(line);
       out += m.reason(m.own_id(s.id) + (s.label.empty() ? "" : " (" + m.escaped(s.label) + ")") +
@@ -130,7 +141,8 @@ std::string text_page(const std::vector<Section>& sections) {
   return out;
 }
 std::string markdown_page(const std::vector<Section>& sections) {
-  return page(sections, {.escaped = as_it_is,
+  return page(sections, {.name = latex_name,
+                         .escaped = as_it_is,
                          .heading = [](const std::string& title) { return "\n## " + title + "\n"; },
                          .paragraph = between_lines,
                          .in_line = in_dollars,
@@ -141,6 +153,7 @@ std::string markdown_page(const std::vector<Section>& sections) {
 }
 std::string latex_page(const std::vector<Section>& sections) {
   const Markup markup{
+      .name = latex_name,
       .escaped = in_latex,
       .heading = [](const std::string& title) { return "\n\\section{" + title + "}\n"; },
       .paragraph = between_lines,
@@ -157,7 +170,8 @@ std::string html_body(const std::vector<Section>& sections) {
   const auto link = [](const std::string& id) { return "<a href=\"#" + id + "\">" + id + "</a>"; };
   return page(
       sections,
-      {.escaped = html_text,
+      {.name = mathml_name,
+       .escaped = html_text,
        .heading = [](const std::string& title) { return "<h2>" + title + "</h2>\n"; },
        .paragraph =
            [](const std::string& inside, const std::string& id) {
@@ -175,7 +189,7 @@ std::string html_page(const std::vector<Section>& sections) {
          "<meta name=\"viewport\" content=\"width=device-width\">\n"
          "<title>Derivation</title>\n<style>\n"
          "body { max-width: 50em; margin: auto; padding: 1em; font-family: serif; }\n"
-         "math[display] { overflow: auto hidden; }\n"
+         "math[display] { overflow: auto hidden; margin: 0.5em 0; }\n"
          ".reason { font-size: smaller; color: #444; }\n</style>\n</head>\n<body>\n" +
          html_body(sections) + "</body>\n</html>\n";
 }

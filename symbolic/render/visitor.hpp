@@ -26,6 +26,10 @@ using kernel::Expr;
 using kernel::Exprs;
 using kernel::Op;
 
+/// A name in words, as a formula has it.
+std::string latex_name(const std::string& head, const std::string& index);
+std::string mathml_name(const std::string& head, const std::string& index);
+
 /// How tightly a piece holds together, loosest first.
 enum Level {
   Quantified,

@@ -18,7 +18,10 @@ TEST_CASE("LaTeX and MathML of terms and formulas") {
     if (!row[2].empty()) CHECK(render::mathml(formula, false) == "<math>" + row[2] + "</math>");
   }
 }
-TEST_CASE("signs of LaTeX's own in words are escaped") {
-  CHECK_THAT(render::latex_page({{"50% of a_b & #1^2", {}, {}}}),
-             ContainsSubstring(R"(\section{50\% of a\_b \& \#1\^{}2})"));
+TEST_CASE("names in words are set as in formulas, and signs of a page's own are escaped") {
+  const std::vector<render::Section> pages{{"50% of a_b, alpha & P_(n+1) #1^2", {}, {}}};
+  CHECK_THAT(render::latex_page(pages),
+             ContainsSubstring(R"(\section{50\% of $a_{b}$, $\alpha$ \& $P_{n+1}$ \#1\^{}2})"));
+  CHECK_THAT(render::html_body(pages),
+             ContainsSubstring("</math>, <math><mi>α</mi></math> &amp; <math><msub>"));
 }
