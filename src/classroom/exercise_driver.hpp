@@ -33,9 +33,8 @@ int main() {
     char* end = at;
     for (int i = 0; i < inputs; ++i) {
       given[i] = std::strtod(at, &end);
-      if (end == at) {  // the last case was the one before
+      if (end == at)  // the last case was the one before
         _exit(write(3, line, std::size_t(std::snprintf(line, sizeof line, "%s end\n", seal))) < 0);
-      }
       at = end;
     }
     call(given, results);

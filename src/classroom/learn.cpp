@@ -159,22 +159,20 @@ Answer learn_by_exercises(const Request& request) {
       {"hint", hint}, {"watch", watch_folder}, {"grade", grade_class},
       {"new", make},  {"solution", solution},  {"test", test}};
   static const std::map<std::string, std::string> of_some{
-      {"folder", "list, show, check, hint, solution, watch, grade, test"},
-      {"seed", "show, check, hint, solution, watch, grade"},
-      {"file", "check"},
-      {"reveal", "check"},
-      {"kind", "new"},
-      {"only", "grade"},
-      {"why", "grade"},
-      {"summary", "grade"}};
+      {"list, show, check, hint, solution, watch, grade, test", "folder"},
+      {"show, check, hint, solution, watch, grade", "seed"},
+      {"check", "file reveal"},
+      {"new", "kind"},
+      {"grade", "only why summary"}};
   const std::string name = request.words.empty() ? "" : request.words[0];
   const auto found = actions.find(name);
   if (found == actions.end())
     throw InvalidInput("learn: " + answers::shown_text(name) +
                        "; allowed: list, show, check, hint, solution, watch, grade, new, test");
-  for (const auto& [option, names] : of_some)
-    if (request.has(option) && names.find(name) == names.npos)
-      throw InvalidInput("learn " + name + ": no --" + option + " here; allowed with: " + names);
+  for (const auto& [names, options] : of_some)
+    for (const std::string& option : learn::split(options, ' '))
+      if (request.has(option) && names.find(name) == names.npos)
+        throw InvalidInput("learn " + name + ": no --" + option + " here; allowed with: " + names);
   const std::size_t most = name == "list" ? 1 : name == "hint" ? 3 : 2;
   if (name != "check" && request.words.size() > most)
     throw InvalidInput("learn " + name + ": " + answers::shown_text(request.words[most]) +

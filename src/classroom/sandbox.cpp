@@ -38,14 +38,6 @@ std::string declared(const std::string& driver) {
   return answers::joined(lines, " ");
 }
 
-/// Without the structs that the functions use: the answer has its own.
-std::string without_structs(const std::string& driver) {
-  const std::string all = declared(driver);
-  return learn::replaced(driver, "struct (\\w+) \\{[^{}]*\\};", [&](const learn::Texts& part) {
-    return all.find(part[1]) == all.rfind(part[1]) ? part[0] : "";
-  });
-}
-
 /// The first error alone: a page of notes on templates teaches nobody.
 std::string first_error(const End& compiled, const std::string& folder, const std::string& driver) {
   if (compiled.is_late) return "compiling took more than " + std::to_string(compile_seconds) + " s";
@@ -67,15 +59,6 @@ std::string first_error(const End& compiled, const std::string& folder, const st
     return answers::shown_text(line, 200);
   }
   return first_line(compiled.errors);
-}
-
-/// What is neither beside an answer nor the system's in what the compiler lists with -M, or "".
-std::string foreign_file(const std::string& list) {
-  std::istringstream names(list);
-  for (std::string name; names >> name;)
-    if (name.find('/') != name.npos && (!name.starts_with("/usr/") || name.find("..") != name.npos))
-      return answers::shown_text(name);
-  return {};
 }
 
 std::string why_stopped(const End& end) {
@@ -181,8 +164,12 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
     if (name.ends_with(".hpp"))
       std::ofstream(folder.path + "/" + name.substr(name.rfind('/') + 1)) << text;
   // In one file, lest a struct, or a function's type, differs; the driver declares functions again.
-  std::ofstream(folder.path + "/called.cpp") << "#include \"answer.cpp\"\n"
-                                             << without_structs(e.driver);
+  const auto unused = [all = declared(e.driver)](const learn::Texts& part) {
+    return all.find(part[1]) == all.rfind(part[1]) ? part[0] : "";  // the answer has its own
+  };
+  std::ofstream(folder.path + "/called.cpp")
+      << "#include \"answer.cpp\"\n"
+      << learn::replaced(e.driver, "struct (\\w+) \\{[^{}]*\\};", unused);
   host::Bounds bounds{.seconds = compile_seconds,
                       .bytes = 1024 * mebibyte,
                       .file_bytes = 64 * mebibyte,
@@ -194,8 +181,11 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
     words.insert(words.begin() + 1, "TMPDIR=" + folder.path);
     return host::end_of(words, "", bounds);
   };
-  if (const std::string file = foreign_file(compile("-M").output); !file.empty())
-    return {.unread = "it includes " + file + "; allowed: headers of the standard library"};
+  std::istringstream names(compile("-M").output);
+  for (std::string name; names >> name;)  // beside an answer, or the system's
+    if (name.find('/') != name.npos && (!name.starts_with("/usr/") || name.find("..") != name.npos))
+      return {.unread = "it includes " + answers::shown_text(name) +
+                        "; allowed: headers of the standard library"};
   bounds.confine = read_programs_only;
   const End compiled = compile("-x c++ exercise_driver.hpp -static -o program");
   if (compiled.code == host::not_there)

@@ -13,14 +13,6 @@ constexpr std::chrono::milliseconds between_looks{150};
 /// Time of change and size: others where it was saved, or something was renamed over it.
 using Stamp = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
 
-/// Nothing where there is no text, as for a moment while an editor saves.
-std::optional<Stamp> stamp_of(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto time = std::filesystem::last_write_time(file, error);
-  const std::uintmax_t size = std::filesystem::file_size(file, error);
-  return error || size == 0 ? std::nullopt : std::optional(Stamp{time, size});
-}
-
 }  // namespace
 
 void watch(const std::vector<Exercise>& all, const std::string& folder, const learn::Run& run,
@@ -46,11 +38,11 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
           tell(answers::shown_text(name) + ": " + *said + "\n");
         continue;
       }
-      const std::optional<Stamp> now = stamp_of(entry.path());
-      if (!now) continue;
-      if (is_first) judged[name] = *now;
-      const bool is_written = std::exchange(last[name], *now) != *now;  // perhaps it goes on
-      if (is_written || std::exchange(judged[name], *now) == *now) continue;
+      const Stamp now{entry.last_write_time(error), entry.file_size(error)};
+      if (error || now.second == 0) continue;  // as for a moment while an editor saves
+      if (is_first) judged[name] = now;
+      const bool is_written = std::exchange(last[name], now) != now;  // perhaps it goes on
+      if (is_written || std::exchange(judged[name], now) == now) continue;
       std::optional<Judgement> said = judged_file(*found, place, run);
       if (!said) continue;
       remember(*found, *said);

@@ -15,10 +15,8 @@ Vector operator*(const Matrix& m, const Vector& v) {
 }
 Matrix operator*(const Matrix& x, const Matrix& y) {
   Matrix out;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Vector column = x * Vector{y[0][j], y[1][j], y[2][j]};
-    for (std::size_t i = 0; i < 3; ++i) out[i][j] = column[i];
-  }
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) out[i][j] = dot(x[i], {y[0][j], y[1][j], y[2][j]});
   return out;
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Collisions that lose energy: what still arrives at B, and collisions that never end.
 #include <cstdio>
-#include <functional>
 
 #include <cln/cln.h>
 
@@ -17,7 +16,7 @@ magicmass::simulator::Engine<double> three_equal(double e) {
   return magicmass::simulator::Engine<double>({{1, 1, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}, e});
 }
 // Where the collisions begin to end, by halving. Whether they end is decided exactly.
-double border(double never, double ends, const std::function<bool(double)>& end_at) {
+double border(double never, double ends, const auto& end_at) {
   for (int halving = 0; halving < 50; ++halving) {
     const double middle = (never + ends) / 2;
     (end_at(middle) ? ends : never) = middle;

@@ -50,7 +50,7 @@ int main() {
 
   // Both blocks come to a resting ball at the same moment. Which one is first? The laws do not say.
   std::printf("at_once:\n  ball | first collision | A | ball afterwards | B\n");
-  for (const double alpha : {0.12, 0.5, 1.0}) {
+  for (const double alpha : {0.12, 0.5, 1.0})
     for (const double early : {1e-9, -1e-9}) {
       Engine<double> motion({{1, alpha, 1}, {early - 1, 0, early + 1}, {1, 0, -1}, {}, {}});
       while (motion.next()) motion.step();
@@ -58,5 +58,4 @@ int main() {
       std::printf("  %g | %c | %.4f | %.4f | %.4f\n", alpha, early > 0 ? 'A' : 'B', v[0].velocity,
                   v[1].velocity, v[2].velocity);
     }
-  }
 }
