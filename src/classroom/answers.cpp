@@ -55,11 +55,6 @@ std::string packed(const Judgement& said) {
   fields.insert(fields.end(), said.notes.begin(), said.notes.end());
   return answers::joined(fields, std::string_view("\0", 1)) + '\0';
 }
-Judgement unpacked(const std::string& text) {
-  const learn::Texts fields = learn::fields(text, '\0');
-  const Mark mark = static_cast<Mark>(std::stoi(fields.at(0)));
-  return {mark, fields.at(1), {fields.begin() + 3, fields.end()}, fields.at(2)};
-}
 
 Judgement judged_apart(const Exercise& e, const std::string& text, const learn::Run& run,
                        unsigned seconds) {
@@ -76,7 +71,10 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
   };
   const host::End end = host::end_of(
       {"an answer"}, "", {.seconds = seconds, .file_bytes = 64U << 20U, .instead = judged});
-  if (end.code == 0 && !end.is_late && !end.output.empty()) return unpacked(end.output);
+  const learn::Texts fields = learn::fields(end.output, '\0');  // as packed
+  if (end.code == 0 && !end.is_late && !fields.empty())
+    return {
+        Mark(std::stoi(fields[0])), fields.at(1), {fields.begin() + 3, fields.end()}, fields[2]};
   return {Mark::undecided,
           end.is_late ? "It was not judged within " + std::to_string(seconds) + " s."
           : end.code > host::of_signal
@@ -84,7 +82,7 @@ Judgement judged_apart(const Exercise& e, const std::string& text, const learn::
               : "Its judge ended before it said anything."};
 }
 
-constexpr std::size_t misses_without_hint = 2;
+constexpr std::size_t misses_without_hint = 2;  // and answers that were not understood
 
 /// "" where the environment names no place.
 std::filesystem::path memory() {
@@ -161,6 +159,7 @@ std::map<std::string, Attempts> attempts() {
     const std::string& said = fields[1];
     Attempts& one = all[fields[0]];
     one.misses += is_miss(said) ? 1 : 0;
+    one.unread += said == word(Mark::unread) ? 1 : 0;
     if (said.starts_with("hint "))
       one.shown.insert(said);
     else if (one.done != "right")
@@ -173,14 +172,15 @@ void remember(const Exercise& e, Judgement& said) {
   const std::string verdict = word(said.mark);
   const Attempts before = attempts()[e.id];  // nothing where there is no memory
   keep({e.id, verdict, said.misconception.empty() ? "" : answers::shown_text(said.misconception)});
+  if (said.mark == Mark::unread && before.unread >= misses_without_hint)
+    said.feedback += " " + how_to_write(e);
   if (!is_miss(verdict) || before.misses < misses_without_hint) return;
-  for (std::size_t i = 1; i <= e.hints.size(); ++i) {
-    if (before.shown.contains("hint " + std::to_string(i))) continue;
-    said.feedback += " Hint " + std::to_string(i) + ": " + e.hints[i - 1];
-    remember_hint(e, i);
-    return;
-  }
-  said.feedback += " There are no more hints: magicmass learn solution " + e.id;
+  std::size_t next = 1;
+  while (before.shown.contains("hint " + std::to_string(next))) ++next;
+  const bool is_left = next <= e.hints.size();
+  said.feedback += is_left ? " Hint " + std::to_string(next) + ": " + e.hints[next - 1]
+                           : " There are no more hints: magicmass learn solution " + e.id;
+  if (is_left) remember_hint(e, next);
 }
 
 void remember_hint(const Exercise& e, std::size_t n) { keep({e.id, "hint " + std::to_string(n)}); }

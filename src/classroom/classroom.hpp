@@ -48,14 +48,14 @@ const Exercise& named(const std::vector<Exercise>& all, const std::string& id);
 /// What a user answered before: a line an answer in answers.tsv, in the folder of their state.
 struct Attempts {
   std::string done = {};  ///< "right" where it was once, "tried", or ""
-  std::size_t misses = 0;
+  std::size_t misses = 0, unread = 0;
   std::set<std::string> shown = {};  ///< "hint 1" and so on
 };
 
 /// By exercise. Nothing where nothing was kept, or where it cannot be.
 std::map<std::string, Attempts> attempts();
 /// Keeps what was said to an answer. From the third miss on, each adds to the feedback the next
-/// hint that was not shown yet, or else where the solution is.
+/// hint that was not shown yet, or else where the solution is; to an unread one how to write.
 void remember(const Exercise& exercise, Judgement& said);
 void remember_hint(const Exercise& exercise, std::size_t number);
 

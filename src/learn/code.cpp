@@ -26,13 +26,15 @@ std::string text_of(double value) {
   return std::isfinite(value) ? answers::real_cell(value).text : "infinite";
 }
 
+const std::string next_to = "(above|below) (.*)";
 /// "1/7", the nearest double; "above sqrt(5) - 2", the one after it.
 double input(const Terms& terms, const std::string& text) {
-  const bool above = text.starts_with("above "), next = above || text.starts_with("below ");
-  const std::string exact = next ? text.substr(6) : text;
+  const Texts next = matched(text, next_to);
+  const std::string exact = next.empty() ? text : next[2];
   const cl_RA value = value_of(terms.in_full(terms.content(exact)), exact);
   const double nearest = balls::nearest_double(value, value).value();  // subnormal, too
-  return next ? std::nextafter(nearest, above ? infinity : -infinity) : nearest;
+  return next.empty() ? nearest
+                      : std::nextafter(nearest, next[1] == "above" ? infinity : -infinity);
 }
 
 /// "8 ulp or 1e-15": how far a result may be off.
@@ -97,8 +99,8 @@ std::string place(const Exercise& e, std::size_t which) {
   Texts parts;
   for (std::size_t i = 0; i < e.inputs.size(); ++i) {
     const std::string& text = e.cases[which][i];
-    const bool is_next = text.starts_with("above ") || text.starts_with("below ");
-    parts.push_back(e.inputs[i] + (is_next ? " = the double " : " = ") + text);
+    parts.push_back(e.inputs[i] + (matched(text, next_to).empty() ? " = " : " = the double ") +
+                    text);
   }
   return "At " + answers::joined(parts) + ": ";
 }
@@ -141,9 +143,7 @@ Judgement judge_code(const Exercise& e, const std::string& code, const Run& run)
     return x == y || (std::isnan(x) && std::isnan(y)) ||
            std::abs(x - y) <= std::max(absolute, 1e-9 * std::abs(x));
   };
-  const auto are_near = [&](const Numbers& l, const Numbers& r) {
-    return std::ranges::equal(l, r, is_near);
-  };
+  const auto are_near = [&](auto& l, auto& r) { return std::ranges::equal(l, r, is_near); };
   const auto was_given = [&](const std::string& answer) {
     return std::ranges::equal(run(e, answer, cases.inputs).rows, ran.rows, are_near);
   };

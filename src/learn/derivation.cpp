@@ -8,8 +8,6 @@
 namespace learn {
 namespace {
 
-constexpr std::size_t most_lines = 40;
-
 std::string line_name(std::size_t i) { return "line " + std::to_string(i + 1); }
 
 void add_gaps(const Judgement& compared, std::size_t line, Texts& notes) {
@@ -72,7 +70,7 @@ public:
   }
   std::string missing_law(std::span<const Expr> lines) const {
     for (std::size_t i = 0; i < laws_.size(); ++i) {
-      const auto is_law = [&](Expr line) { return are_proportional(line, laws_[i]); };
+      const auto is_law = [&](Expr e) { return !is_zero(e) && are_proportional(e, laws_[i]); };
       if (std::ranges::none_of(lines, is_law)) return terms_.exercise.laws[i];
     }
     return {};
@@ -135,12 +133,17 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
     if (!e.right) kernel::refuse(line_name(i) + " is no equation; each line should have one =");
     differences.push_back(e.term - e.right);
   }
+  const auto missing = [&](const std::string& otherwise) {
+    const std::string law = equations.missing_law(differences);
+    return law.empty() ? otherwise : " This law is missing: " + law + ".";
+  };
   for (std::size_t i = 0; i < differences.size(); ++i) {
     const Expr e = differences[i];
     const std::span<const Expr> before(differences.data(), i);
     const std::string the_line = "Line " + std::to_string(i + 1);
     if (equations.is_zero(e))
-      return {Mark::incomplete, the_line + " says nothing: it holds for all velocities."};
+      return {Mark::incomplete,
+              the_line + " says nothing: it holds for all velocities." + missing("")};
     const Judgement said = equations.truth(all[i], i, notes);
     if (said.mark == Mark::undecided)
       return {said.mark, "It could not be decided whether " + line_name(i) + " is true."};
@@ -152,24 +155,23 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
                      the_line + " is not true of this motion. " + said.feedback);
     }
     if (!equations.follows(e, before)) {
-      const std::string missing = equations.missing_law(differences);
       const std::string later = equations.missing_law(before);
       return {Mark::incomplete,
               the_line +
-                  (i == 0 ? " is true, but a derivation begins with a law. "
-                          : " is true, but how does it follow from the lines before it? ") +
-                  (!missing.empty() ? "This law is missing: " + missing + "."
-                   : !later.empty() ? "This law must stand before it: " + later + "."
-                                    : "A step is missing between " + line_name(i - 1) + " and " +
-                                          line_name(i) + ".")};
+                  (i == 0 ? " is true, but a derivation begins with a law."
+                          : " is true, but how does it follow from the lines before it?") +
+                  missing(!later.empty() ? " This law must stand before it: " + later + "."
+                                         : " A step is missing between " + line_name(i - 1) +
+                                               " and " + line_name(i) + ".")};
     }
   }
   const Expr left = all.back().term, right = all.back().right,
              name = terms.content(terms.exercise.name);
   if ((left != name || equations.has_unknowns(right)) &&
       (right != name || equations.has_unknowns(left)))
-    return {Mark::incomplete, "Every line is right, but the end is missing: " +
-                                  terms.exercise.name + " = an expression without unknowns."};
+    return {Mark::incomplete,
+            "Every line is right, but the end is missing: " + terms.exercise.name +
+                " = an expression without unknowns." + missing("")};
   return {Mark::right, "Right: each line follows, and the last one is the answer."};
 }
 
@@ -198,6 +200,11 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
     return !lacking(e.form, before, terms.domain(notation::symbols_of(before)));
   };
   const auto goes_on = [&](std::size_t i) { return i < lines.size() && lines[i].starts_with("="); };
+  const auto missing = [&] {  // where no step was more than an identity
+    const auto is_law = [&](const auto& both) { return !terms.are_equal(both.first, both.second); };
+    const bool is_used = !terms.are_equal(start, before) || std::ranges::any_of(asides, is_law);
+    return is_used ? "" : " This law is missing: " + e.laws[0] + ".";
+  };
   std::pair reached{before, shown_before};
   bool is_aside = false;
   for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -228,7 +235,8 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
         is_aside = true;  // an equation of its own, such as a law
       } else if (!is_step(before, now) && !(is_aside && is_step(now, before))) {
         return {Mark::incomplete, "In " + line_name(i) + " a step is missing between " +
-                                      shown_before + " and " + shown + ", though they are equal."};
+                                      shown_before + " and " + shown + ", though they are equal." +
+                                      missing()};
       } else if (is_aside) {
         asides.emplace_back(before, now);
       }
@@ -239,7 +247,8 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   if (is_aside) std::tie(before, shown_before) = reached;
   if (before == start || !is_finished())
     return {Mark::incomplete, "Every line is right, but what " + e.start +
-                                  " is equal to is not yet in the form asked for: " + e.form + "."};
+                                  " is equal to is not yet in the form asked for: " + e.form + "." +
+                                  missing()};
   return {Mark::right, "Right: each line is equal to the one before, and the last is the answer."};
 }
 
@@ -269,7 +278,7 @@ Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& no
     replace_all(plain, between, "\n");
   Texts lines = split(plain, '\n');
   if (lines.size() == 1) lines = split(plain, ';');  // on a command line
-  if (lines.size() > most_lines) kernel::refuse("more than 40 lines");
+  if (lines.size() > 40) kernel::refuse("more than 40 lines");
   if (lines.empty()) kernel::refuse("there is no line");
   if (lines[0].starts_with("- ") && without_marks(lines) != lines)
     notes.push_back("the - before each line is read as a bullet");

@@ -35,12 +35,10 @@ bool is_difference(Expr e, const equality::Domain& domain) {
   if (e.op() != Op::Add) return false;
   for (const equality::Point& point : equality::points(domain, 3, {})) {
     std::set<int> signs;
-    for (Expr one : e.args()) {
-      try {
-        signs.insert(equality::exact_sign(equality::at(point, one)).value_or(0));
-      } catch (const equality::NotDefined&) {
-      }
-    }
+    for (Expr one : e.args())
+      equality::is_proved([&] {  // nothing where it is not defined
+        return signs.insert(equality::exact_sign(equality::at(point, one)).value_or(0)).second;
+      });
     if (signs.contains(1) && signs.contains(-1)) return true;
   }
   return false;
@@ -89,6 +87,12 @@ bool is_no_fraction(Expr e, const equality::Domain&) {
   return false;
 }
 
+/// exp or log of a symbol: exp(log(x) - log(y)) is x/y, and log(exp(x)/exp(y)) is x - y.
+bool hides_form(Expr e) {
+  return (is_call(e, "exp") || is_call(e, "log") || is_call(e, "raised")) &&
+         !notation::symbols_of(e.args().back()).empty();
+}
+
 struct Form {
   std::string name;
   bool (*is_lack)(Expr part, const equality::Domain&);
@@ -108,6 +112,8 @@ std::optional<Lack> lacking(const std::string& form, Expr typed, const equality:
   if (form == "factored" && typed.op() == Op::Add) return Lack{typed, " is a sum"};
   const auto one = std::ranges::find(all_forms, form, &Form::name);
   if (one == all_forms.end()) return {};
+  const auto hidden = found(typed, hides_form, true);
+  if (hidden && one->is_lack != has_angle) return Lack{*hidden, " hides its form"};
   const auto is_lack = [&](Expr e) { return one->is_lack(e, domain); };
   const auto part = found(typed, is_lack, one->is_lack == is_difference);
   return part ? std::optional(Lack{*part, one->lack}) : std::nullopt;

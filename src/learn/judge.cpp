@@ -167,6 +167,14 @@ Texts rules(const Exercise& e) {
   return lines;
 }
 
+std::string how_to_write(const Exercise& e) {
+  if (e.kind == "code" || !e.choices.empty()) return "See again: magicmass learn show " + e.id;
+  if (e.kind == "derivation") return rules(e)[0] + ". A line looks like this: " + e.laws[0];
+  if (e.misconceptions.empty()) return rules(e)[0];
+  return rules(e)[0] + ". This can be read, but is not the answer: " +
+         with_numbers(e, e.misconceptions[0].answers[0]);
+}
+
 std::string own_answer(const Exercise& e) {
   if (e.kind == "code") return e.solution_code;
   if (!e.when.empty()) return std::string(1, right_choice(e));

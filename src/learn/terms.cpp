@@ -70,7 +70,9 @@ Judgement with_gaps(Expr given, Expr expected, const equality::Domain& domain) {
   const std::vector<Requirement> needed = equality::requirements(expected, domain);
   const auto is_sure = [&](const Requirement& need) { return equality::is_certain(need, domain); };
   for (const Requirement& need : equality::requirements(given, domain)) {
-    if (is_sure(need) || std::ranges::count(needed, need) > 0) continue;
+    const bool is_square = need.kind == equality::Need::NotNegative &&
+                           need.term.op() == kernel::Op::Pow && need.term.exponent() % 2 == 0;
+    if (is_square || is_sure(need) || std::ranges::count(needed, need) > 0) continue;
     const bool is_bound = need.kind != equality::Need::NotZero;
     const Requirement broken{equality::Need::NotNegative, is_bound ? -need.term : Expr(1)};
     const std::string why =
@@ -159,17 +161,20 @@ std::string Terms::foreign(Expr term, const std::string& typed) const {
   if (names.empty()) return {};
   static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
                                            "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
-  const auto is_unit = [&](const std::string& name) { return units.contains(name); };
-  std::string other = notation::alike(names[0], symbols);
-  if (other.empty()) other = notation::parted(names[0], symbols);
+  const std::string name = names[0], other_case(1, char(name[0] ^ 0x20));
+  const bool is_letter = name.size() == 1 && symbols.contains(other_case);
+  std::string other = is_letter ? other_case : notation::alike(name, symbols);
+  if (other.empty()) other = notation::parted(name, symbols);
   replace_all(other, " ", "*");
-  const auto shown = [&](const std::string& name) { return quoted(typed, notation::symbol(name)); };
+  const bool is_word = name.size() > 3 && name != exercise.name;  // v_1 is not meant for M_1
+  const auto shown = [&](const std::string& one) { return quoted(typed, notation::symbol(one)); };
   return answers::joined(answers::texts_of(names, shown)) + (names.size() == 1 ? " has" : " have") +
          " no place here: " +
          (symbols.empty() ? "a number is asked for"
                           : "an answer may use " + answers::joined(exercise.symbols)) +
-         (std::ranges::all_of(names, is_unit) ? ", without units" : "") +
-         (other.empty() ? meant(names[0], exercise.symbols) : "; is " + other + " meant?");
+         (std::ranges::includes(units, names) ? ", without units" : "") +
+         (other.empty() ? meant(name, is_word ? exercise.symbols : Texts{})
+                        : "; is " + other + " meant?");
 }
 
 Expr Terms::in_full(Expr term) const {
@@ -255,13 +260,14 @@ Judgement Terms::mistake(Expr given, const std::string& otherwise) const {
 }
 
 std::string Terms::quoted(const std::string& typed, Expr part) const {
-  constexpr std::size_t longest = 80;
+  constexpr std::size_t longest = 160;
   if (typed.size() > longest || typed.find_first_of("\t\n\v\f\r") != typed.npos)
     return notation::typed_text(part);
   for (std::size_t size = 1; size <= typed.size(); ++size)
     for (std::size_t first = 0; first + size <= typed.size(); ++first) {
       const std::string some = typed.substr(first, size);
       if (first > 0 && typed[first - 1] == '\\') continue;
+      if (std::ranges::count(some, '(') != std::ranges::count(some, ')')) continue;
       try {
         const Expr read = content(some);
         if (kernel::replace(read, part, part + 1) != read) return some;

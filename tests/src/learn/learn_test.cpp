@@ -18,13 +18,14 @@ std::string text_of(const std::string& name) {
   return magicmass::scenes::text_of(MAGICMASS_SOURCE "/tests/src/learn/" + name, "a text");
 }
 
+learn::Rows seen;
 /// Of each program what it gives for a case; "late" stops at the second one.
 learn::Ran fake(const Exercise&, const std::string& code, const learn::Rows& inputs) {
+  seen = inputs;
   if (code == "junk") return {.unread = "line 1"};
   learn::Ran ran;
   for (const learn::Numbers& in : inputs) {
-    const double x = in[0], n = in[1];
-    const double off = std::nextafter(2 * x, 100) - 2 * x;
+    const double x = in[0], n = in[1], off = std::nextafter(2 * x, 100) - 2 * x;
     if (code == "late" && n == 1) {
       ran.stopped = "it stopped: why?";
       break;
@@ -68,8 +69,8 @@ TEST_CASE("Answers are judged as in both tables, one of which has five to each e
     const learn::Judgement said = learn::judge(exercises.at(row[0]), row[1], classroom::run_code);
     INFO(answers::joined(row) << "\n" << said.feedback);
     CHECK(word(said.mark) == row[2]);
-    CHECK_THAT(said.feedback, ContainsSubstring(row[3]));
-    CHECK_THAT(answers::joined(said.notes), ContainsSubstring(row[4]));
+    CHECK_THAT(said.feedback + "|", ContainsSubstring(row[3]));
+    CHECK_THAT("|" + answers::joined(said.notes) + "|", ContainsSubstring(row[4]));
     CHECK(said.feedback.find("typed_") == std::string::npos);
   }
 }
@@ -97,10 +98,5 @@ TEST_CASE("A program is held against exact results at its doubles") {
     CHECK(said.feedback == row[2]);
   }
   CHECK(learn::judge(e, "f(x) = 2 x").mark == learn::Mark::undecided);
-  learn::Rows seen;
-  learn::judge(e, "x", [&](const Exercise& of, const std::string& code, const learn::Rows& inputs) {
-    seen = inputs;
-    return fake(of, code, inputs);
-  });
   CHECK(seen == learn::Rows{{0.125, 0}, {1 + 0x1p-52, 1}, {1.0 / 3, 2}});
 }
