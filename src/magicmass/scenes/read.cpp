@@ -24,9 +24,9 @@ struct Field {
 
 std::string quoted(const std::string& text) { return '"' + text + '"'; }
 
-std::string quoted_list(const std::vector<std::string>& words) {
+std::string listed(const std::vector<std::string>& words, const std::string& mark = "") {
   std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + quoted(word);
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + mark + word + mark;
   return text;
 }
 
@@ -48,7 +48,7 @@ std::string text_at(const Field& f, const std::string& allowed) {
 /// Which of these words it is.
 std::size_t word_at(const Field& f, const std::vector<std::string>& words,
                     const std::string& before = "") {
-  const std::string allowed = before + quoted_list(words), text = text_at(f, allowed);
+  const std::string allowed = before + listed(words, "\""), text = text_at(f, allowed);
   const auto found = std::find(words.begin(), words.end(), text);
   if (found == words.end()) refuse(f, "got " + quoted(text.substr(0, 40)), allowed);
   return static_cast<std::size_t>(found - words.begin());
@@ -113,7 +113,7 @@ void read_walls(const Field& f) { f.scene.walls = sides[word_at(f, sides)]; }
 void read_outputs(const Field& f) {
   const std::string array = "an array of ";
   f.scene.outputs.clear();
-  for (const Field& element : elements(f, array + quoted_list(all_outputs)))
+  for (const Field& element : elements(f, array + listed(all_outputs, "\"")))
     f.scene.outputs.push_back(all_outputs[word_at(element, all_outputs, array)]);
 }
 
@@ -174,12 +174,10 @@ void check_names(const Scene& scene) {
   for (const Key& key : keys)
     if (key.kinds.empty() || std::ranges::count(key.kinds, scene.kind) != 0)
       names.push_back(key.name);
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
   for (const auto& [name, line] : scene.lines) {
     if (std::ranges::count(names, name) != 0) continue;
     const std::string what = "no such key in this kind of scene" + meant(name, names);
-    refuse_key(scene, name.substr(0, 40), what, all);
+    refuse_key(scene, name.substr(0, 40), what, listed(names));
   }
 }
 
@@ -226,7 +224,7 @@ void lay_out_chain(Scene& scene) {
     scene.positions.push_back({"", place});
     place = place + (i % 2 == 0 ? gap : L);
   }
-  if (wall("left")) scene.left_wall = Value{"", Surd(0) - gap};
+  if (wall("left")) scene.left_wall = Value{"", -gap};
   if (wall("right")) scene.right_wall = Value{"", place};
 }
 

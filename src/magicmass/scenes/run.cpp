@@ -160,7 +160,8 @@ template <class Scalar>
 void follow(const Scene& scene, const Result& result, const Points& sink) {
   simulator::Line<Scalar> line = line_of<Scalar>(scene);
   std::vector<Scalar> since(line.masses.size(), Scalar(0)), times;
-  for (const Value& time : scene.times) times.push_back(number_of<Scalar>(time));
+  for (const Value& time : scene.times)  // no surd: where its double is
+    times.push_back(time.exact() ? number_of<Scalar>(time) : Scalar(time.to_double()));
   std::sort(times.begin(), times.end());
   auto next = times.begin();
   const auto all_at = [&](const Scalar& time) {
@@ -186,13 +187,6 @@ void follow(const Scene& scene, const Result& result, const Points& sink) {
   const auto end = result.known_until;
   for (; next != times.end() && !(end && std::get<Scalar>(*end) < *next); ++next) all_at(*next);
   if (has_corners) all_at(end ? std::get<Scalar>(*end) : last);
-}
-
-/// Times that are no surds are looked at where their doubles are.
-Scene at_exact_times(Scene scene) {
-  for (Value& time : scene.times)
-    if (!time.exact()) time = value_of(time.to_double());
-  return scene;
 }
 
 /// Without all collisions before them.
@@ -300,7 +294,7 @@ void stream(const Scene& scene, const Plan& plan, const Sink& sink, std::int64_t
 
 void trajectory(const Scene& scene, const Result& result, const Points& sink) {
   if (result.plan.is_exact)
-    follow<Surd>(at_exact_times(scene), result, sink);
+    follow<Surd>(scene, result, sink);
   else if (result.plan.model != "events" &&
            (result.status != Status::collapse || !scene.times.empty()))
     follow_by_theorem(scene, result, sink);

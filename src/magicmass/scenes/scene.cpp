@@ -14,16 +14,7 @@ std::optional<std::size_t> Scene::receiver() const {
   return rests(velocities[last]) ? std::nullopt : std::optional<std::size_t>(0);
 }
 
-Scene mirrored(Scene scene) {
-  const auto turn = [](Value& x) { x = negative(x); };
-  for (auto* values : {&scene.masses, &scene.positions, &scene.velocities})
-    std::ranges::reverse(*values);
-  for (auto* values : {&scene.positions, &scene.velocities}) std::ranges::for_each(*values, turn);
-  std::swap(scene.left_wall, scene.right_wall);
-  for (auto* wall : {&scene.left_wall, &scene.right_wall})
-    if (*wall) turn(**wall);
-  return scene;
-}
+Scene mirrored(const Scene& scene) { return simulator::mirrored(scene, negative); }
 
 std::string body_name(const Scene& scene, std::size_t body) {
   if (scene.has("blocks")) return (body % 2 == 0 ? "A_" : "C_") + std::to_string(body / 2 + 1);
@@ -33,10 +24,9 @@ std::string body_name(const Scene& scene, std::size_t body) {
 }
 
 std::string gap_name(const Scene& scene, std::size_t gap) {
-  const std::size_t bodies = scene.masses.size();
   if (scene.kind == Kind::three_body) return gap == 1 ? "N_A" : "N_B";
   const std::string left = gap == 0 ? "wall" : body_name(scene, gap - 1);
-  return left + "-" + (gap == bodies ? "wall" : body_name(scene, gap));
+  return left + "-" + (gap == scene.masses.size() ? "wall" : body_name(scene, gap));
 }
 
 bool has_exact_numbers(const Scene& scene) {

@@ -52,7 +52,7 @@ Scalar number_of(const Value& value) {
 Value negative(const Value& x);
 /// x - y, where it is known to be a value.
 std::optional<Value> difference(const Value& x, const Value& y);
-/// x / y, where it is known exactly.
+/// x / y, where it is known exactly; y is not 0.
 std::optional<Surd> quotient(const Value& x, const Value& y);
 
 /// What read_value takes, for messages.
@@ -147,14 +147,14 @@ Scene read_scene(const std::string& path);
 Scene parse_scene(std::string_view text, const std::string& source);
 
 /// The bodies and walls that a mirror shows.
-Scene mirrored(Scene scene);
+Scene mirrored(const Scene& scene);
 
 /// A, C, B, where C is the ball; in a chain 1, 2, ..., of blocks and balls A_1, C_1, A_2, ...
 std::string body_name(const Scene& scene, std::size_t body);
 /// What the collisions at a gap are called: N_A, N_B for three bodies; by the names beside it else.
 std::string gap_name(const Scene& scene, std::size_t gap);
 
-/// Whether no value, be it a time, is a ratio of the paper, and there are no two roots.
+/// Whether all values, be it times, are surds.
 bool has_exact_numbers(const Scene& scene);
 /// The bodies in doubles, or as Surd, where all are exact. Throws Undecided where a value does
 /// not fit a double.

@@ -42,8 +42,7 @@ std::vector<double> certain(const Balls& balls) {
 bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
   const auto exactly = [&](bool is_hard) -> std::optional<bool> {
     const auto at = trios.exact_time(j, is_hard);
-    const auto late = at ? difference({"", *at}, time) : std::nullopt;
-    return late && late->exact() ? std::optional(!late->is_positive()) : std::nullopt;
+    return at && time.exact() ? std::optional(!(*time.exact() < *at)) : std::nullopt;
   };
   auto is_early = exactly(j < 16);
   if (!is_early) try {
@@ -55,11 +54,8 @@ bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
   return *is_early;
 }
 /// How many of the first `most` come by this time.
-std::int64_t count_until(const Trios& trios, const Value& time, std::int64_t most) {
-  const auto counted = [&] {
-    return count_of(most, [&](std::int64_t j) { return is_by(trios, j, time); });
-  };
-  return with_bits(17, counted, " to tell whether a collision comes by the time " + time.text);
+std::int64_t count_by(const Trios& trios, const Value& time, std::int64_t most) {
+  return count_of(most, [&](std::int64_t j) { return is_by(trios, j, time); });
 }
 /// How many collisions are within the scene's limits; nothing: infinitely many, a collapse.
 std::optional<std::int64_t> within(const Trios& trios, const Scene& scene) {
@@ -70,7 +66,9 @@ std::optional<std::int64_t> within(const Trios& trios, const Scene& scene) {
   if (!scene.until) return N;
   const auto is_over = [&] { return trios.alone()->has_collapsed(*scene.until); };
   if (collapses && with_bits(17, is_over)) return N;
-  return count_until(trios, *scene.until, N.value_or(limit));
+  const auto counted = [&] { return count_by(trios, *scene.until, N.value_or(limit)); };
+  const std::string until = scene.until->text;
+  return with_bits(17, counted, " to tell whether a collision comes by the time " + until);
 }
 /// All but the plan after so many collisions, or after infinitely many.
 Result after(const Scene& scene, const Trios& trios, std::optional<std::int64_t> collisions) {
@@ -181,8 +179,7 @@ std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int
         return rounded(
             [&] { return std::vector(trios.bodies(), end.position + end.v_left * since); });
     }
-    const std::int64_t N = count_of(most.value_or(INT64_MAX / 4),
-                                    [&](std::int64_t j) { return is_by(trios, j, *time); });
+    const std::int64_t N = count_by(trios, *time, most.value_or(INT64_MAX / 4));
     return rounded([&] { return trios.places(at, N); });
   };
   return with_bits(17, told, " to tell where bodies are at the time " + time->text);

@@ -99,8 +99,6 @@ Found<Trio> Trio::of(const Start& start) try {
       return Ball(end_of(s, t.start()).end_speed) > 0 ? 1 : -1;
     });
   return t;
-} catch (const std::domain_error&) {
-  return unknown;
 } catch (const Undecided&) {
   return unknown;
 }
@@ -151,9 +149,9 @@ std::optional<std::int64_t> Trio::count_at_threshold() const {
   if (ratio && ratio->is_magic && from_.W_per_V == -1) return cln::cl_I_to_long(ratio->k);
   if (!is_at_rest()) return {};
   if (ratio) return cln::cl_I_to_long(2 * ratio->k + (ratio->is_magic ? 0 : 1));
-  static const Value in_field[]{read_value("magic:1"), read_value("magic:2")};
+  static const Value surds[]{read_value("magic:1"), read_value("magic:2")};
   for (std::int64_t k : {1, 2})
-    if (quotient(from_.masses[1], in_field[k - 1]) == Surd(1)) return 2 * k;
+    if (from_.masses[1].is(surds[k - 1].number)) return 2 * k;
   return {};
 }
 /// By any_start.speed each second approach speed, over e each time, is a sum of each second
@@ -257,7 +255,7 @@ std::vector<Ball> Trio::velocities(const Shape& s, std::int64_t collisions) cons
   for (std::size_t i = 0; i < bodies(); ++i) all.push_back(velocity_of(u[i]));
   return all;
 }
-std::optional<Surd> Trio::exact_time(std::int64_t j, bool is_hard) const try {
+std::optional<Surd> Trio::exact_time(std::int64_t j, bool is_hard) const {
   const auto met = quotient(from_.d_A, from_.V), later = quotient(from_.d_B, from_.V);
   if (j == 0 || is_at_once_) return met;
   if (!met || !later) return {};
@@ -268,8 +266,6 @@ std::optional<Surd> Trio::exact_time(std::int64_t j, bool is_hard) const try {
   const Surd factor = factor_of(*speeds);
   const auto gap = speed(*gaps, factor, j), nearing = speed(*speeds, factor, j);
   return gap && nearing ? std::optional(*gap / *nearing) : std::nullopt;  // any_start.instant
-} catch (const std::domain_error&) {
-  return {};
 }
 Trio::Collision Trio::collision(const Shape& s, std::int64_t j) const {
   const FromB from = start();

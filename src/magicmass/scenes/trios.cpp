@@ -87,7 +87,7 @@ Found<Trios> Trios::cradle(const std::vector<Value>& masses, const simulator::Li
 Found<Trios> Trios::off_wall(const std::vector<Value>& masses, const simulator::Line<Surd>& line) {
   if (line.right_wall && line.left_wall) return "a ball or a block between two walls";
   if (!line.right_wall) return line.left_wall ? none_comes : "only two bodies";
-  const Surd wall = *line.right_wall, e = line.restitution, none(0);
+  const Surd wall = *line.right_wall, e = line.restitution;
   const Surd W = line.velocities[1], V = line.velocities[0] - W;
   const Surd d_A = line.positions[1] - line.positions[0], d_B = wall - line.positions[1];
   const bool is_first = V < W ? !(W * d_A < V * d_B) : V * d_B < W * d_A;
@@ -96,9 +96,9 @@ Found<Trios> Trios::off_wall(const std::vector<Value>& masses, const simulator::
   const auto trio = Trio::of({.masses = masses,
                               .e{"", e},
                               .V{"", faster},
-                              .W_per_V = none - e * W / faster,
+                              .W_per_V = -e * W / faster,
                               .d_A{"", d_A + d_B + e * d_B},
-                              .d_B{"", none - e * d_B},
+                              .d_B{"", -e * d_B},
                               .place{"", wall}});
   if (!trio) return trio.why.empty() ? none_comes : trio.why;
   Trios all = of_one(*trio);
@@ -182,7 +182,7 @@ Trio::Collision Trios::collision(std::int64_t j) const {
   } else {
     const Surd& wall = m.is_back ? *behind_ : *ahead_;
     c = {0, m.is_back ? 0 : bodies(), ball_of(time_at(wall)), ball_of(wall), 0, 0};
-    (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : Surd(0) - V_);
+    (m.is_back ? c.v_right : c.v_left) = ball_of(m.is_back ? V_ : -V_);
   }
   c.number = j + 1;
   c.time = ball_of(m.from) + (m.is_back ? -c.time : c.time);

@@ -95,7 +95,7 @@ bool Value::is_positive() const {
 }
 
 Value negative(const Value& x) {
-  return {x.text.empty() ? "" : "-" + x.text, Surd(0) - x.number, x.ratio, -x.sign};
+  return {x.text.empty() ? "" : "-" + x.text, -x.number, x.ratio, -x.sign};
 }
 
 std::optional<Value> difference(const Value& x, const Value& y) {
@@ -106,14 +106,12 @@ std::optional<Value> difference(const Value& x, const Value& y) {
   return Value{"", rest};
 }
 
-std::optional<Surd> quotient(const Value& x, const Value& y) try {
+std::optional<Surd> quotient(const Value& x, const Value& y) {
   if (x.is(0)) return Surd(0);
   if (x.exact() && y.exact()) return x.number / y.number;
   const Surd turn = x.sign * y.sign;
   const bool is_it = ratio_of(x) == ratio_of(y) && x.number == turn * y.number;
   return is_it ? std::optional(turn) : std::nullopt;
-} catch (const std::domain_error&) {
-  return {};
 }
 
 Value read_value(std::string_view text) {

@@ -64,18 +64,16 @@ std::optional<Fault> fault(const Line<Scalar>& line) {
   return std::nullopt;
 }
 
-/// What a mirror shows of it.
-template <Field Scalar>
-Line<Scalar> mirrored(Line<Scalar> line) {
-  const auto turn = [](Scalar& x) { x = Scalar(0) - x; };
-  for (auto* values : {&line.masses, &line.positions, &line.velocities})
-    std::reverse(values->begin(), values->end());
-  for (auto* values : {&line.positions, &line.velocities})
-    std::for_each(values->begin(), values->end(), turn);
-  std::swap(line.left_wall, line.right_wall);
-  for (auto* wall : {&line.left_wall, &line.right_wall})
+/// What a mirror shows of a line, or of all that has members of these names.
+template <class Bodies>
+Bodies mirrored(Bodies all, const auto& negative) {
+  const auto turn = [&](auto& x) { x = negative(x); };
+  for (auto* values : {&all.masses, &all.positions, &all.velocities}) std::ranges::reverse(*values);
+  for (auto* values : {&all.positions, &all.velocities}) std::ranges::for_each(*values, turn);
+  std::swap(all.left_wall, all.right_wall);
+  for (auto* wall : {&all.left_wall, &all.right_wall})
     if (*wall) turn(**wall);
-  return line;
+  return all;
 }
 
 }  // namespace magicmass::simulator

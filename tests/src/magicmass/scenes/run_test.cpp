@@ -60,25 +60,18 @@ std::string random_cradle(std::mt19937_64& random) {
 
 TEST_CASE("values are kept as what they are, what is none is refused", "[exam]") {
   const auto rows = rows_of("src/magicmass/scenes/values.tsv", 3);
-  REQUIRE(rows.size() == 42);
+  REQUIRE(rows.size() == 47);
   for (const auto& row : rows) {
     INFO(row[0]);
     if (row[2].empty()) {
-      CHECK_THROWS_WITH(read_value(row[0]), ContainsSubstring(row[1]));
+      CHECK_THROWS_WITH(read_value(row[0]).to_double(), ContainsSubstring(row[1]));
       continue;
     }
     const Value value = read_value(row[0]);
     CHECK(value.text == row[0]);
-    REQUIRE(value.exact() != nullptr);
-    CHECK(value.exact()->text() == row[1]);
+    CHECK((value.exact() ? value.exact()->text() : "no surd") == row[1]);
     CHECK(value.to_double() == std::stod(row[2]));
   }
-  CHECK(read_value("magic:3").exact() == nullptr);
-  const std::string says = " does not fit a normal double";
-  for (const std::string text : {"10^400", "1/10^400"})
-    CHECK_THROWS_WITH(read_value(text).to_double(), text + says);
-  CHECK_NOTHROW(read_value("1/7 "));
-  CHECK_NOTHROW(read_value("magic:1125899906842624"));
   CHECK_THROWS_WITH(read_value(std::string(5000, '1')), "5000 characters, at most 4096");
 }
 
@@ -136,7 +129,7 @@ TEST_CASE("random cradles by theorem, in exact numbers, and in a mirror", "[chec
   for (int i = 0; i < 80; ++i) {
     const std::string text = random_cradle(random);
     INFO(text);
-    // A time outside of the field has the theorem asked for few collisions, too.
+    // A time that is no surd has the theorem asked for few collisions, too.
     const Scene scene = scene_of(text + "outputs = ['trajectory']\ntimes = ['magic:3']\n"),
                 exact_scene = scene_of(text, true);
     const Result result = run(scene);

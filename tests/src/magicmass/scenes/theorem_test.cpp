@@ -244,7 +244,7 @@ TEST_CASE("plans, their reasons, and how many collisions, as in a mirror", "[exa
   }
 }
 
-TEST_CASE("V and L are units: only ratios need a field of their own", "[check]") {
+TEST_CASE("V and L are units, whatever numbers they are", "[check]") {
   for (const std::string masses :
        {"alpha = 'magic:3'\n", "alpha = '1/7'\nrestitution = '7/8'\n", "alpha = '1/9999'\n",
         "alpha = 1\nrestitution = '7/100'\n", "alpha = '1/90'\nrestitution = 'magic:3'\n"})
@@ -255,7 +255,6 @@ TEST_CASE("V and L are units: only ratios need a field of their own", "[check]")
       const Scene scene = scene_of(masses + keys);
       const double v = scene.V.to_double(), l = scene.L.to_double();
       const Result result = run(scene), unit = result_of(masses);
-      REQUIRE(result.plan.model == "theorem");
       CHECK_FALSE(result.is_undecided);
       check_mirrored(result, run(mirrored(scene)));
       CHECK((result.status == unit.status && result.counts == unit.counts));

@@ -13,12 +13,10 @@ using cln::cl_RA;
 
 namespace {
 
-using Random = std::mt19937_64;
-
 /// Of small fractions, so that collisions at one time are common.
 template <class Scalar>
 Line<Scalar> random_line(std::uint64_t seed, int below, const Scalar& e) {
-  Random random(seed);
+  std::mt19937_64 random(seed);
   const auto fraction = [&](int least, int most, int parts) {
     const auto range = static_cast<std::uint64_t>((most - least) * parts + 1);
     return Scalar(least * parts + static_cast<int>(random() % range)) / Scalar(parts);
@@ -85,7 +83,7 @@ template <class Scalar>
 std::int64_t compared_with_mirror(const Line<Scalar>& line) {
   const auto negated = [](const Scalar& x) { return Scalar(0) - x; };
   Engine<Scalar> engine(line);
-  Engine<Scalar> mirror(mirrored(line));
+  Engine<Scalar> mirror(mirrored(line, negated));
   auto events = run(engine, 20);
   auto images = run(mirror, 20);
   CHECK(engine.ties().near == mirror.ties().near);
