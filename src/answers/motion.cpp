@@ -48,10 +48,9 @@ LargeCounts count_collisions(const Alpha& alpha) {
   if (const auto* at = std::get_if<Threshold>(&alpha))
     return {at->is_magic ? at->k : at->k + 1, at->k};  // magic.counts, deficient.counts
   if (*fraction_of(alpha) >= 1) return {1, 1};         // heavy.N_A, heavy.N_B
-  if (const auto* value = std::get_if<double>(&alpha)) {
+  if (const auto* value = std::get_if<double>(&alpha))
     if (const auto small = magicmass::count_collisions(*value))
       return {static_cast<long long>(small->N_A), static_cast<long long>(small->N_B)};
-  }
   const auto counts = [&] {
     const Ball at = ball_of(alpha);
     return LargeCounts{cln::numerator(right_side_at("counting.N_A", at).low()),

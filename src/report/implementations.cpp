@@ -113,7 +113,6 @@ const std::vector<Implementation>& implementations() {
   using AtCycle = Velocities (*)(double, std::int64_t);
   using AtCollision = Collision (*)(double, std::int64_t);
   using AtEnd = std::optional<Terminal> (*)(double);
-  using Count = std::optional<Counts> (*)(double);
   constexpr std::size_t few = 50;
   const auto closed_ratios = [](std::int64_t k) {
     return Ratios{generated::magic_closed<double>(k).alpha_,
@@ -146,7 +145,7 @@ const std::vector<Implementation>& implementations() {
       {"accurate arrays", terminal,
        [](Columns& c) { accurate::terminal(c.alpha, terminal_columns(c)); }},
       {"naive", counts, each(naive::counts)},
-      {"count_collisions", counts, each(Count(count_collisions))},
+      {"count_collisions", counts, each([](double alpha) { return count_collisions(alpha); })},
       {"count arrays", counts,
        [](Columns& c) { count_collisions(c.alpha, c.counts[0], c.counts[1]); }},
       {"naive", ratios, each(naive::ratios)},
