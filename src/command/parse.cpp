@@ -105,8 +105,7 @@ Asked asked_for(const Command& command, const std::vector<Option>& options, Requ
     if (is_given && !option.choices.empty() && std::ranges::count(option.choices, value) == 0)
       throw InvalidInput(command.name + ": unknown " + option.name + " " + shown_text(value) +
                          "; allowed: " + joined(option.choices));
-    const bool may_be_column = request.has("input") && option.is_column;
-    if (option.is_required && !is_given && !may_be_column)
+    if (option.is_required && !is_given && !(request.has("input") && option.is_column))
       throw InvalidInput(command.name + ": --" + option.name +
                          " is missing; example: " + command.example);
   }

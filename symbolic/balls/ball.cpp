@@ -195,8 +195,7 @@ std::optional<std::string> decimal(const cl_RA& low, const cl_RA& high, int digi
 
 cl_RA exact(double value) {
   int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  const auto whole = static_cast<std::int64_t>(std::ldexp(mantissa, 53));
+  const auto whole = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
   return scaled(cl_I(static_cast<long long>(whole)), exponent - 53);
 }
 

@@ -18,8 +18,7 @@ constexpr int libm_steps = 4;
 cln::cl_RA exact(double x) {
   if (!std::isfinite(x)) throw Refused("a number that is not finite");
   int exponent = 0;
-  const double scaled = std::ldexp(std::frexp(x, &exponent), 53);
-  const cln::cl_I mantissa(static_cast<long long>(scaled));
+  const cln::cl_I mantissa(static_cast<long long>(std::ldexp(std::frexp(x, &exponent), 53)));
   return mantissa * cln::expt(cln::cl_RA(2), exponent - 53);
 }
 double nearest(const cln::cl_RA& x) {

@@ -58,8 +58,7 @@ Theorem definition_of_q_e(Book& book) {
     const Theorem is = cut(from_1, book["any_start." + id]);
     return book.show(left(is).name(), words, under(hypotheses, is));
   };
-  const Theorem speed = at_end("def_end_speed", "and where", {});
-  const Exprs ends{lt(0, left(speed))};
+  const Exprs ends{lt(0, left(at_end("def_end_speed", "and where", {})))};
   at_end("def_t_any", "is positive, the time of the collapse is", ends);
   at_end("def_x_any", "its place", ends);
   at_end("def_v_any", "and the velocity then", ends);

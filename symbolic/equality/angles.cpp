@@ -41,8 +41,7 @@ bool is_connected(const Domain& domain, const std::vector<Requirement>& needs,
 // An inequality of this kind leaves of a box what is convex.
 bool is_affine(Expr e, const Domain& box) {
   Forms forms(box);
-  const Sum sum = forms.of(e);
-  return std::ranges::all_of(sum, [&](const auto& term) {
+  return std::ranges::all_of(forms.of(e), [&](const auto& term) {
     const Expr product = forms.expression(Sum{{term.first, 1}});
     return box.ranges.contains(product) || kernel::free_variables(product).empty();
   });

@@ -138,8 +138,7 @@ struct Roots {
   }
   // The cube roots of a + b and a - b have a product q and a sum t, t^3 = 3 q t + 2 a.
   std::optional<Expr> of_cubes(Expr root) {
-    const Expr cube = definition(root)[0].arg(1);
-    const auto x = order(root) == 3 ? surd(cube) : std::nullopt;
+    const auto x = order(root) == 3 ? surd(definition(root)[0].arg(1)) : std::nullopt;
     cln::cl_RA q;
     if (!x || !cln::rootp(cln::abs(x->a * x->a - x->square), 3, &q)) return {};
     if (x->a * x->a < x->square) q = -q;

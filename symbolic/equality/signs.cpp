@@ -277,8 +277,7 @@ int Forms::sign_by_shift(const Sum& sum) {
     Forms forms_of_s(inner);
     forms_of_s.depth = depth + 1;
     const int sign = forms_of_s.sign_of(forms_of_s.of(kernel::substitute(*e, {{x, value}})));
-    const bool is_end_left_out = is_bounded && range.high->is_inside;
-    if (sign != 0) return is_end_left_out ? product(sign, 1) : sign;
+    if (sign != 0) return is_bounded && range.high->is_inside ? product(sign, 1) : sign;
   }
   return 0;
 }

@@ -124,8 +124,7 @@ void Forms::reduce_modulus(Product& product, cln::cl_RA& number, Expr atom, cons
   Exponent part;  // whole, or even where no sign is known
   for (const auto& [monomial, q] : e) {
     const cln::cl_RA whole = sign < 0 ? cln::floor1(q) : 2 * cln::floor1(q / 2);
-    const bool is_constant = monomial.empty();
-    if (whole != 0 && (is_constant || (!is_complex(inner) && is_integer({{monomial, 1}}))))
+    if (whole != 0 && (monomial.empty() || (!is_complex(inner) && is_integer({{monomial, 1}}))))
       part[monomial] = whole;
   }
   if (part.empty()) return;

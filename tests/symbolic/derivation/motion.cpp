@@ -143,8 +143,7 @@ const cl_R& tiny() {
   return result;
 }
 int whole(const cl_R& x) {
-  const cl_R r = cln::round1(x);
-  if (cln::abs(x - r) > tiny()) throw Undefined();
+  if (cln::abs(x - cln::round1(x)) > tiny()) throw Undefined();
   return cln::cl_I_to_int(cln::round1(x));
 }
 

@@ -284,8 +284,7 @@ Tried tried(const Exprs& hypotheses, Expr conclusion, int wanted) {
     Point point;
     try {
       point = random_point(hypotheses, conclusion);
-      const auto holds = [&](Expr h) { return truth(h, point); };
-      if (!std::ranges::all_of(hypotheses, holds)) continue;
+      if (!std::ranges::all_of(hypotheses, [&](Expr h) { return truth(h, point); })) continue;
     } catch (const Undefined&) {
       continue;
     }

@@ -268,10 +268,8 @@ TEST_CASE("matrices stand only where they fit") {
   refused("a power of 6 entries", "square", [] { power(wide, n); });
   refused("a determinant of 6 entries", "square", [] { det(wide); });
   refused("a real power", "needs an integer", [] { power(a, x); });
-  refused("no such row", "no such entry", [] { entry(a, 2, 0); });
-  refused("row -1", "no such entry", [] { entry(a, -1, 1); });
-  refused("no such column", "no such entry", [] { entry(a, 0, -1); });
-  refused("third column of two", "no such entry", [] { entry(a, 0, 2); });
+  for (const auto& [i, j] : {std::pair{2, 0}, {-1, 1}, {0, -1}, {0, 2}})
+    refused("of two rows and columns", "no such entry", [i = i, j = j] { entry(a, i, j); });
   refused("an entry of a number", "a matrix is needed", [] { entry(x, 0, 0); });
   refused("an entry of a sum", "that entry() computes", made({.op = Op::Entry, .args = {a}}));
   refused("fifth entry", "no such entry", made({.op = Op::Entry, .args = {turned(x)}, .index = 4}));

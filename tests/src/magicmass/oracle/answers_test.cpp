@@ -42,8 +42,7 @@ TEST_CASE("powers of the collision map are what stepping gives", "[check]") {
     CHECK(conserves(cycle.with_B, alpha));
     const auto [by_powers, by_steps] = ends_of(cycle, alpha, i);
     CHECK(by_powers == by_steps);
-    const Counts counts = count_collisions(alpha);
-    const Rationals terminal = AtEnd(counts)(alpha);
+    const Rationals terminal = AtEnd(count_collisions(alpha))(alpha);
     const Rationals last = ends_of(cycle, alpha, 1000).second;
     CHECK(terminal == Rationals{last[0], last[1], last[2], last[1] * last[1]});
   }

@@ -89,8 +89,7 @@ void compare(const Trios& trio, const std::vector<Step>& rows, const Line& after
   Ball::set_bits(320);
   for (std::size_t j = 0; j < rows.size(); ++j) {
     INFO(j);
-    const auto index = std::int64_t(j);
-    const Trio::Collision c = trio.collision(index);
+    const Trio::Collision c = trio.collision(std::int64_t(j));
     REQUIRE(c.gap == rows[j].gap);
     REQUIRE((holds(c.time, rows[j].time) && holds(c.position, rows[j].position)));
     REQUIRE((holds(c.v_left, rows[j].v_left) && holds(c.v_right, rows[j].v_right)));
