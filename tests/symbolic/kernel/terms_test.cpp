@@ -268,8 +268,9 @@ TEST_CASE("matrices stand only where they fit") {
   refused("a power of 6 entries", "square", [] { power(wide, n); });
   refused("a determinant of 6 entries", "square", [] { det(wide); });
   refused("a real power", "needs an integer", [] { power(a, x); });
-  for (const auto& [i, j] : {std::pair{2, 0}, {-1, 1}, {0, -1}, {0, 2}})
-    refused("of two rows and columns", "no such entry", [i = i, j = j] { entry(a, i, j); });
+  for (const auto& [row, column] : {std::pair{2, 0}, {-1, 1}, {0, -1}, {0, 2}})
+    refused("of two rows and columns", "no such entry",
+            [row = row, column = column] { entry(a, row, column); });
   refused("an entry of a number", "a matrix is needed", [] { entry(x, 0, 0); });
   refused("an entry of a sum", "that entry() computes", made({.op = Op::Entry, .args = {a}}));
   refused("fifth entry", "no such entry", made({.op = Op::Entry, .args = {turned(x)}, .index = 4}));
