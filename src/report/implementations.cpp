@@ -111,7 +111,6 @@ Columns::Columns(std::span<const Input> inputs) {
 const std::vector<Implementation>& implementations() {
   using enum Quantity;
   using AtCycle = Velocities (*)(double, std::int64_t);
-  using AtCollision = Collision (*)(double, std::int64_t);
   using AtEnd = std::optional<Terminal> (*)(double);
   constexpr std::size_t few = 50;
   const auto closed_ratios = [](std::int64_t k) {
@@ -132,8 +131,8 @@ const std::vector<Implementation>& implementations() {
       {"accurate arrays", velocities,
        [](Columns& c) { accurate::velocities(c.alpha, c.index, velocity_columns(c)); }},
       {"naive", collisions, each(naive::collision)},
-      {"fast", collisions, each(AtCollision(fast::collision))},
-      {"accurate", collisions, each(AtCollision(accurate::collision))},
+      {"fast", collisions, each(fast::collision)},
+      {"accurate", collisions, each(accurate::collision)},
       {"naive", terminal, each(naive::terminal)},
       {"closed", terminal, each(generated::terminal_closed<double>)},
       {"tangent", terminal, each(generated::terminal_tangent<double>)},

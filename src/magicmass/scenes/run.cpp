@@ -148,9 +148,8 @@ std::optional<Result> exactly_at_end(const Scene& scene, Result result) {
   const std::int64_t N_A = (result.events + 1) / 2, N_B = result.events / 2;
   if (double(alpha.bits()) * double(N_A) > 0x1p20) return {};
   const auto end = generated::terminal_exact(alpha, N_A, N_B);
-  result.terminal = {v[B], v[B] + V * end.c_t, v[B]};
-  result.terminal[A] = v[B] + V * end.a_t;
-  result.terminal[B] = v[B] + V * end.b_t;
+  result.terminal = {v[B] + V * end.a_t, v[B] + V * end.c_t, v[B] + V * end.b_t};
+  if (A == 2) std::ranges::reverse(result.terminal);
   set_energies(scene, line, result);
   result.plan.is_exact = true;
   return result;

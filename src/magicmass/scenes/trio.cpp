@@ -83,7 +83,10 @@ Found<Trio> Trio::of(const Start& start) try {
   const auto& [masses, e, V, r, d_A, d_B, place, drift] = start;
   Trio t;
   t.from_ = start;
-  t.exact_ = t.exact_bodies();
+  const auto A = quotient(masses[0], masses[1]);
+  const auto per_B = t.bodies() == 3 ? quotient(masses[1], masses[2]) : Surd(0);
+  if (const Surd* loss = e.exact(); loss != nullptr && A && per_B)
+    t.exact_ = Exact{*A, *per_B, *loss, generated::shape_exact<Surd>(*A, *per_B, 1, *loss).q_e};
   const auto part = d_B.is(0) ? std::nullopt : quotient(d_A, d_B);
   t.is_at_once_ = part ? r * *part == 1 : d_B.is(0) && (r == 0 || d_A.is(0));
   const bool is_first = !(0 < r) || (t.is_at_once_ ? r < 1 : part && r * *part < 1);
@@ -119,14 +122,6 @@ Trio Trio::equal_blocks(const Value& alpha, const Value& e) {
   return *of(Start{{value_of(1), alpha, value_of(1)}, e});
 }
 
-std::optional<Trio::Exact> Trio::exact_bodies() const {
-  const std::vector<Value>& m = from_.masses;
-  const auto A = quotient(m[0], m[1]);
-  const auto per_B = bodies() == 3 ? quotient(m[1], m[2]) : Surd(0);
-  if (!from_.e.exact() || !A || !per_B) return {};
-  const Surd& e = *from_.e.exact();
-  return {{*A, *per_B, e, generated::shape_exact<Surd>(*A, *per_B, 1, e).q_e}};
-}
 Trio::Shape Trio::shape() const {
   const std::vector<Value>& m = from_.masses;
   const Ball C = ball_of(m[1]);

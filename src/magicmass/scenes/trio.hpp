@@ -106,7 +106,6 @@ private:
   Velocities seen(const Shape& s, std::int64_t collisions) const;
   Ball place_of(const Ball& time, const Ball& place) const;
   Ball velocity_of(const Ball& u) const;
-  std::optional<Exact> exact_bodies() const;
   /// Only the first two are surds.
   std::optional<std::int64_t> count_at_threshold() const;
 };

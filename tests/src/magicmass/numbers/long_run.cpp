@@ -3,8 +3,8 @@
 // nothing misrounded, no wrong count. Rows go to certified formulas on CLN's floats, and to the
 // oracle where these are not certain, for alpha > 2^10, and for one row in a thousand anyhow. Then
 // rational alpha up to cycle 64, all by the oracle.
-// The formulas are the paper's sums of sines and cosines, typed in, with a bound of their error; the
-// product's evaluators are products of other angles. nullopt: not certain, ask the oracle.
+// The formulas are the paper's sums of sines and cosines, typed in, with a bound of their error.
+// The product's evaluators are products of other angles. nullopt: not certain, ask the oracle.
 #include <cstdlib>
 #include <map>
 

@@ -85,9 +85,8 @@ TEST_CASE("doubles and exact numbers have the same collisions", "[check]") {
     std::vector<Row> rows = rows_of(scene_of(text));
     std::vector<Row> expected = rows_of(scene_of(text, true));
     REQUIRE(rows.size() == expected.size());
-    const auto by_gap = [](const Row& x, const Row& y) { return x.gap < y.gap; };
-    std::stable_sort(rows.begin(), rows.end(), by_gap);  // what is far apart may be told in any
-    std::stable_sort(expected.begin(), expected.end(), by_gap);  // order, if it is at once
+    // What is far apart may be told in any order, if it is at once.
+    for (auto* all : {&rows, &expected}) std::ranges::stable_sort(*all, {}, &Row::gap);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       const Numbers got = numbers(rows[i]), exact = numbers(expected[i]);
       for (std::size_t k = 0; k < got.size(); ++k)

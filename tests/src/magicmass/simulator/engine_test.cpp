@@ -92,11 +92,9 @@ std::int64_t compared_with_mirror(const Line<Scalar>& line) {
   for (std::size_t i = 0; i < bodies; ++i)
     CHECK(engine.bodies()[i].velocity == negated(mirror.bodies()[bodies - 1 - i].velocity));
   for (auto& image : images) image.gap = bodies - image.gap;
-  const auto by_place = [](const auto& x, const auto& y) {
-    return x.time == y.time ? x.gap < y.gap : x.time < y.time;
-  };
-  std::stable_sort(events.begin(), events.end(), by_place);
-  std::stable_sort(images.begin(), images.end(), by_place);
+  const auto place = [](const auto& event) { return std::pair(event.time, event.gap); };
+  std::ranges::stable_sort(events, {}, place);
+  std::ranges::stable_sort(images, {}, place);
   std::int64_t at_once = 0;
   for (std::size_t i = 0; i < events.size(); ++i) {
     const bool has_next = i + 1 < events.size() && events[i].time == events[i + 1].time;
