@@ -7,7 +7,6 @@
 namespace notation {
 using namespace kernel;
 namespace {
-constexpr std::size_t npos = std::string::npos;
 const std::string wrong_comma =
     "unexpected comma; decimals are written 0.5, matrices [[a, b], [c, d]], "
     "logarithms to another base log(x)/log(b)";

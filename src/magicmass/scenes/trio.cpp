@@ -98,7 +98,7 @@ Found<Trio> Trio::of(const Start& start) try {
     t.end_sign_ = with_bits(17, [&] {
       const Shape s = t.shape();
       if (s.q_e > 0) return 1;
-      if (const auto exactly = t.end_sign(1, r)) return *exactly;
+      if (const auto exactly = t.end_sign(1, start.W_per_V)) return *exactly;
       return Ball(end_of(s, t.start()).end_speed) > 0 ? 1 : -1;
     });
   return t;

@@ -121,7 +121,7 @@ private:
   }
   /// Of z, less the polynomial's centre; slope: of the function.
   static Value polynomial(const auto& p, const Value& z, double slope) {
-    constexpr std::size_t m = p.pairs;
+    constexpr std::size_t m = std::decay_t<decltype(p)>::pairs;
     const Rounded tail = plain(std::span(p.high).subspan(m), z.size);
     Ball value = 0;
     double of_slope = 0;  // the tail takes z's high part for z, but for its first coefficient
