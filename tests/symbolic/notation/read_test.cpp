@@ -195,8 +195,9 @@ TEST_CASE("Sizes are bounded from both sides") {
   CHECK(reading(nested("(", 199, ")")) == "x");
   for (const auto& [open, close] : {std::pair{"(", ")"}, {"√", ""}, {"x^", ""}})
     CHECK_THAT(refused(nested(open, 6000, close)), ContainsSubstring("nested more than 200 deep"));
-  CHECK(reading(std::string(15000, '-') + "x") == "x");
-  CHECK_THAT(refused(std::string(20001, '-') + "x"), ContainsSubstring("longer than 20000"));
+  const std::string many(15000, '-'), too_many(20001, '-');
+  CHECK(reading(many + "x") == "x");
+  CHECK_THAT(refused(too_many + "x"), ContainsSubstring("longer than 20000"));
 }
 
 TEST_CASE("of mass ratios, decimals and hex floats are the nearest double, p/q is exact") {
