@@ -168,8 +168,7 @@ std::optional<std::string> decimal(const cl_RA& low, const cl_RA& high, int digi
   if (low == 0 && high == 0) return "0";
   if (low <= 0 && high >= 0) return {};
   const bool minus = high < 0;
-  const cl_RA small = minus ? -high : low;
-  const cl_RA large = minus ? -low : high;
+  const cl_RA small = minus ? -high : low, large = minus ? -low : high;
   // The place of the first digit: 10^p <= small < 10^(p+1).
   int p = static_cast<int>(std::floor(exponent_of(small) * 0.30103));
   const auto power = [](int e) { return cln::expt(cl_RA(10), e); };

@@ -70,8 +70,7 @@ private:
   static Ball alternating(Ball term, const Ball& square, int first);
   static Ball odd_powers(const Ball& t, const Ball& square);
   static int bits_;
-  cln::cl_I middle;
-  cln::cl_I radius;
+  cln::cl_I middle, radius;
 };
 
 /// The double nearest to every number from low to high, ties to even; nothing where they differ.

@@ -97,8 +97,7 @@ private:
   std::vector<std::size_t> starts;
   std::u32string text;
   std::size_t at = 0;
-  bool spaced = false;
-  bool latex = false;
+  bool spaced = false, latex = false;
   std::vector<Token> out;
 
   char32_t peek(std::size_t ahead = 0) const { return text[std::min(at + ahead, text.size())]; }

@@ -44,8 +44,7 @@ public:
 private:
   bool is_column;
   Expr x;  // in a function's definition
-  int depth = 0;
-  int bars = 0;
+  int depth = 0, bars = 0;
   std::size_t comma = 0;  // where the last one was
 
   void expect_end() const {

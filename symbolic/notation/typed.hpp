@@ -50,11 +50,10 @@ std::string parted(const std::string& word, const std::set<std::string>& names);
 std::string name_of(kernel::Expr symbol);
 std::set<std::string> symbols_of(kernel::Expr e);
 /// x^y for real y; root of a whole order, of negative numbers too where that is odd; the logarithm,
-/// and so on: functions of the reader that the kernel knows nothing of.
+/// and so on: functions of the reader; `call` also makes those that the kernel knows.
 kernel::Expr raised(kernel::Expr base, kernel::Expr exponent);
 kernel::Expr root(int order, kernel::Expr x);
-kernel::Expr call(const std::string& name,
-                  kernel::Expr x);  ///< also of those that the kernel knows
+kernel::Expr call(const std::string& name, kernel::Expr x);
 /// The value of a term of numbers, +, *, quotients and whole powers, while it is short.
 std::optional<cln::cl_RA> rational_value(kernel::Expr e);
 /// As one would type it; reads back as a term of the same value.

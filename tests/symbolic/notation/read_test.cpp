@@ -182,8 +182,6 @@ TEST_CASE("Plain text, Unicode and LaTeX are read alike, and a chosen reading is
     CHECK(said == row[2]);
   }
   CHECK(alike("M", {"m"}).empty());
-  CHECK(reading("\xef\xbb\xbfx") == "x");
-  CHECK(reading("cos\u2061〖𝜓∕2〗 𝑉\u2062𝐋 ＋ 𝟏⁄2") == "cos(psi/2)*V*L + 1/2");
 }
 
 TEST_CASE("Sizes are bounded from both sides") {
