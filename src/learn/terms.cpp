@@ -209,7 +209,7 @@ Judgement Terms::compare_numbers(Expr given, Expr expected) const {
   std::string why = "It could not be decided whether yours is equal to the answer.";
   try {
     where = domain(notation::symbols_of(kernel::eq(given, expected)));
-    verdict = equality::decide(given, expected, where);
+    verdict = equality::decide(given, expected, where, equality::Wanted::Verdict);
   } catch (const kernel::Refused& r) {
     why = "It could not be compared: " + std::string(r.what()) + ".";
   }

@@ -66,17 +66,13 @@ bool leads_to_0(Expr e, const Domain& box) {
   }
   return degrees.size() == 1 && forms.is_positive(constant);
 }
-Domain only(const Domain& domain, Expr e) {
-  Domain out;
-  for (Expr x : kernel::free_variables(e)) out.ranges[x] = domain.ranges.at(x);
-  return out;
-}
 }  // namespace
 
 bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common) {
   if (common.empty()) return false;
   return is_proved([&] {
-    const Domain box = only(domain, left - right);
+    Domain box;
+    for (Expr x : kernel::free_variables(left - right)) box.ranges[x] = domain.ranges.at(x);
     const std::vector<Requirement> needs = requirements(left - right, box);
     std::vector<Requirement> shape = conditions(domain);
     const auto fits = [&](auto rule) {

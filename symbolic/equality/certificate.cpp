@@ -11,13 +11,11 @@ using algebra::operator+;
 using algebra::Theorem;
 using algebra::Theorems;
 namespace {
-constexpr int highest_order = 12;
 constexpr std::size_t heaviest = 400;
-constexpr int most_multiplied_out = 24;
+constexpr int highest_order = 12, most_multiplied_out = 24;
 constexpr int few_roots = 2, most_of_roots = 6;
-constexpr int most_parts = 60;  // d of pi/d
-constexpr int most_work = 10;
-constexpr int most_work_of_15 = 3;  // whose sines are of more roots
+constexpr int most_parts = 60;                      // d of pi/d
+constexpr int most_work = 10, most_work_of_15 = 3;  // whose sines are of more roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
@@ -119,7 +117,7 @@ struct Roots {
   };
   std::optional<Surd> surd(Expr x) {
     const Sum sum = forms.of(x);
-    const cln::cl_RA a = sum.contains({}) ? sum.at({}) : cln::cl_RA(0);
+    const cln::cl_RA a = of_part(sum, {});
     const Sum b = sum - number(a), squared = forms.of(kernel::power(forms.expression(b), 2));
     const auto square = notation::rational_value(forms.expression(squared));
     if (!square || *square == 0) return {};
@@ -223,7 +221,7 @@ void name_bases(Expr e, kernel::Substitution& names) {
     return work(e.arg(0), 1) > few_roots ? most_of_roots : most_multiplied_out;
   };
   if (e.op() == Op::Pow && e.exponent() > most() && e.arg(0).op() == Op::Add &&
-      names.size() < std::size_t(most_multiplied_out))
+      e.arg(0).sort() == kernel::Sort::Real && names.size() < std::size_t(most_multiplied_out))
     names.emplace(kernel::real("base_" + std::to_string(names.size())), e.arg(0));
   for (Expr part : e.args()) name_bases(part, names);
 }
@@ -249,8 +247,14 @@ bool add_sines(Expr e, Roots& roots) {
 }  // namespace
 
 std::string text(const Requirement& r) { return shown(formula(r)); }
-std::string certified(Expr left, Expr right, std::vector<Requirement> needs, const Domain& domain) {
-  if (!is_algebraic_term(left - right) || left.weight() + right.weight() > heaviest) return "";
+std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> needs,
+                      const Domain& domain) {
+  Exprs goals{asked};
+  for (Expr is : given) goals.push_back(kernel::substitute(goals.back(), {{is.arg(0), is.arg(1)}}));
+  const Expr left = goals.back().arg(0), right = goals.back().arg(1);
+  if (!is_algebraic_term(left - right))
+    kernel::refuse("it proves equations of +, *, quotients, roots and sines of parts of pi");
+  if (left.weight() + right.weight() > heaviest) kernel::refuse("both sides are too long");
   kernel::Substitution bases;
   name_bases(left - right, bases);
   const auto named = [&](Expr e) {
@@ -288,16 +292,20 @@ std::string certified(Expr left, Expr right, std::vector<Requirement> needs, con
       if (!is_seen || r.kind != Need::NotZero) facts.push_back(kernel::assume(formula(r)));
     }
     if (!is_proved([&] { return algebra::equation(goal, facts), true; })) roots.solve_for_one(goal);
-    std::string hypotheses;
-    for (Expr h : algebra::equation(goal, facts).hypotheses()) {
+    Theorem proved = algebra::equation(goal, facts);
+    for (Expr h : proved.hypotheses())
       if (std::ranges::find(needs, h, formula) == needs.end() && !roots.definitions.contains(h))
         return false;  // a hypothesis that nobody is told of
-      hypotheses += (hypotheses.empty() ? "" : ", ") + shown(kernel::substitute(h, bases));
-    }
-    theorem = hypotheses + (hypotheses.empty() ? "" : " |- ") + notation::typed_text(left) + " = " +
-              notation::typed_text(right);
+    if (!bases.empty()) proved = kernel::instantiate(proved, bases);
+    for (std::size_t i = given.size(); i-- > 0;)
+      proved = kernel::tautology(
+          goals[i], {kernel::assume(given[i]),
+                     algebra::where_equal(given[i].arg(0), given[i].arg(1), goals[i], proved)});
+    for (Expr h : proved.hypotheses()) theorem += (theorem.empty() ? "" : ", ") + shown(h);
+    theorem += (theorem.empty() ? "" : " |- ") + notation::typed_text(asked);
     return true;
   });
+  if (theorem.empty()) kernel::refuse("no proof was found");
   return theorem;
 }
 }  // namespace equality

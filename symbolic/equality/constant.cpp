@@ -109,13 +109,12 @@ private:
     if (order == 2) return sqrt(value);
     return Ball(side) * exp(log(value) / Ball(order));
   }
-  std::optional<cln::cl_RA> whole_number(Expr e) {
-    const auto near = near_fraction((*this)(e).low(), 1);
-    return near && sign(e - Expr(*near)) == 0 ? near : std::nullopt;
-  }
   Ball raised(Expr base, Expr exponent) {
     auto value = notation::rational_value(exponent);
-    if (!value && sign(base) < 0) value = whole_number(exponent);
+    if (!value && sign(base) < 0) {
+      value = near_fraction((*this)(exponent).low(), 1);
+      if (value && sign(exponent - Expr(*value)) != 0) value.reset();
+    }
     const bool is_whole = value && cln::denominator(*value) == 1;
     if (is_whole && cln::abs(*value) <= 10000) {
       const int n = cln::cl_I_to_int(cln::numerator(*value));
@@ -178,8 +177,7 @@ private:
     return m <= 1 || circle % (4 * m) == 0;
   }
   static std::int64_t totient(std::int64_t n) {
-    std::int64_t left = n;
-    std::int64_t out = n;
+    std::int64_t left = n, out = n;
     for (std::int64_t p = 2; p * p <= left; ++p) {
       if (left % p != 0) continue;
       while (left % p == 0) left /= p;
@@ -206,14 +204,11 @@ private:
     if (name == "abs") return x;
     const auto value = root_exponent(e);
     need(value && cln::abs(cln::numerator(*value)) <= 10000 && cln::denominator(*value) <= 1000);
-    return root(e, *value < 0 ? x.inverse() : x, order_of(e), std::abs(whole(*value)));
-  }
-  Bounds root(Expr e, Bounds x, int order, int exponent) {
-    if (order > 1) roots.emplace(e, order);
-    const double k = order;
-    const Bounds one = x.u >= x.l ? Bounds{(x.u + (k - 1) * x.l) / k, x.l}
-                                  : Bounds{x.u, (x.l + (k - 1) * x.u) / k};
-    return power(one, exponent);
+    if (order_of(e) > 1) roots.emplace(e, order_of(e));
+    const double k = order_of(e);
+    const auto [u, l] = *value < 0 ? x.inverse() : x;
+    const Bounds one = u >= l ? Bounds{(u + (k - 1) * l) / k, l} : Bounds{u, (l + (k - 1) * u) / k};
+    return power(one, std::abs(whole(*value)));
   }
 };
 }  // namespace

@@ -4,17 +4,20 @@
 namespace equality {
 using notation::typed_text;
 namespace {
-constexpr std::size_t points_beyond = 8;
-constexpr std::size_t points_tried = 40;
-constexpr std::size_t points_inside = 10;
-constexpr std::size_t points_of_case = 4;
-constexpr std::size_t points_exactly = 3;
+constexpr std::size_t points_tried = 40, points_inside = 10, points_of_case = 4;
+constexpr std::size_t points_beyond = 8, points_beside = 8, points_exactly = 3;
 constexpr int digits_shown = 16;
 constexpr std::size_t longest_shown = 40;
 constexpr int largest_denominator = 1000;
 constexpr const char* no_difference = "normal form: the difference of both sides is 0";
+constexpr int most_gaps = 6;    // points that are tried where a divisor may be 0
 constexpr int most_cases = 30;  // integers that are put in one by one
 
+cln::cl_RA size(const Point& point) {
+  cln::cl_RA sum = 0;
+  for (const auto& [x, q] : point) sum = sum + cln::abs(cln::numerator(q)) * cln::denominator(q);
+  return sum;
+}
 std::string shown(Expr constant) {
   auto exact = notation::rational_value(constant);
   const Value value = value_at({}, constant);
@@ -31,8 +34,8 @@ std::string shown(Expr constant) {
 }
 class Question {
 public:
-  Question(Expr the_left, Expr the_right, const Domain& the_domain)
-      : left(the_left), right(the_right), domain(the_domain) {
+  Question(Expr the_left, Expr the_right, const Domain& the_domain, Wanted what)
+      : left(the_left), right(the_right), domain(the_domain), wanted(what) {
     verdict.domain = texts(domain);
     while (put_in_a_value()) continue;
     needs = requirements(left - right, domain);
@@ -42,8 +45,14 @@ public:
     if (prove()) {
       verdict.answer = Answer::Equal;
       add_conditions();
-      if (given.empty()) verdict.theorem = certified(left, right, needs, domain);
-      if (!verdict.theorem.empty()) verdict.proof += ", certified by the kernel";
+      if (wanted != Wanted::Explanation) return verdict;
+      note_power();
+      try {
+        verdict.theorem = certified(asked, given, needs, domain);
+        verdict.proof += ", certified by the kernel";
+      } catch (const kernel::Refused& why) {
+        verdict.proof += std::string(", not certified by the kernel: ") + why.what();
+      }
       return verdict;
     }
     if (!is_different_exactly() && verdict.proof.empty())
@@ -55,14 +64,14 @@ public:
   }
 
 private:
-  static inline bool is_case = false;  // cases are not split again
-  Expr left;
-  Expr right;
+  Expr left, right, asked = kernel::eq(left, right);
   Domain domain;
+  Wanted wanted;
   Verdict verdict;
   std::vector<Requirement> needs;  // of both
-  std::vector<Point> common;       // where both sides have a value, and agree
-  std::string given;               // "x = 2": values that were put in
+  int gaps_tried = 0;
+  std::vector<Point> common;  // where both sides have a value, and agree
+  Exprs given;                // x = 2: values that were put in
 
   /// x = 2 and x + y = 1 are put in: in both sides, and in what else is said of x.
   bool put_in_a_value() {
@@ -77,20 +86,9 @@ private:
   }
   bool put_in(Expr x, Expr value) {
     const Range range = domain.ranges.at(x);
-    const bool is_whole = Forms(domain).is_integer(value);
-    if (!is_whole && range.is_integer) return false;
-    for (Expr e : parts_of(left - right)) {
-      const bool is_power = is_call(e, "raised") && kernel::free_variables(e.arg(1)).contains(x);
-      if (is_whole || !is_power) continue;
-      // The base of a power that has no value where x is a fraction and the base is negative: put
-      // in, it might have one.
-      const Requirement r{Need::NotNegative, e.arg(0)};
-      if (is_certain(r, domain) || std::ranges::count(verdict.conditions, text(r)) > 0) continue;
-      domain.further.push_back({r.term, ">=", 0});
-      verdict.conditions.push_back(text(r));
-    }
+    if (range.is_integer && !Forms(domain).is_integer(value)) return false;
+    given.push_back(kernel::eq(x, value));
     const auto written = [&](Expr e) { return kernel::substitute(e, {{x, value}}); };
-    given += (given.empty() ? "" : ", ") + typed_text(x) + " = " + typed_text(value);
     const auto& [is_integer, low, high] = range;
     if (low) domain.further.push_back({x, low->is_inside ? ">=" : ">", low->value});
     if (high) domain.further.push_back({x, high->is_inside ? "<=" : "<", high->value});
@@ -102,8 +100,9 @@ private:
     return true;
   }
   std::string shown_point(const Point& point) const {
-    const std::string free = equality::text(point);
-    return given + (given.empty() || free.empty() ? "" : ", ") + free;
+    std::string out;
+    for (Expr is : given) out += (out.empty() ? "" : ", ") + typed_text(is);
+    return out + (out.empty() || point.empty() ? "" : ", ") + equality::text(point);
   }
   bool is_counterexample(const Point& point, const std::string& how) {
     verdict.answer = Answer::Different;
@@ -115,18 +114,20 @@ private:
   }
   bool is_different_somewhere() {
     const Domain box = narrowed(domain, conditions(domain));
-    std::vector<Point> all = points(box, is_case ? points_of_case : points_tried, {left, right});
+    std::vector<Point> all =
+        points(box, wanted == Wanted::Case ? points_of_case : points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
     const auto add = [&](const Domain& part, std::size_t count) {
       for (const Point& point : points(part, count, {}, true))
         if (std::ranges::find(all, point) == all.end()) all.push_back(point);
     };
-    add(narrowed(box, needs), is_case ? points_of_case : points_inside);
+    add(narrowed(box, needs), wanted == Wanted::Case ? points_of_case : points_inside);
     for (const Requirement& r : needs)  // where one side may have no value
-      if (r.kind != Need::NotZero && !is_case)
+      if (r.kind != Need::NotZero && wanted != Wanted::Case)
         add(narrowed(box, {{Need::NotNegative, -r.term}}), points_beyond);
     std::string why_none;
     bool is_open = false;  // somewhere it would take more bits to know a value
+    std::ranges::stable_sort(all, {}, size);
     for (const Point& point : all) {
       Value a, b;
       for (int bits = 192; bits <= 3072; bits *= 4) {
@@ -189,14 +190,11 @@ private:
                                  : "both are continuous, and at " + point + " they agree"));
   }
   bool is_proved_on(const Domain& part) {
-    if (is_case) return false;
-    is_case = true;
-    const bool is_equal = is_proved([&] {  // not where there is no point
-      const Verdict found = decide(left, right, part);
+    if (wanted == Wanted::Case) return false;
+    return is_proved([&] {  // not where there is no point
+      const Verdict found = decide(left, right, part, Wanted::Case);
       return found.answer == Answer::Equal && proved(found.proof);
     });
-    is_case = false;
-    return is_equal;
   }
   /// A new symbol is an integer.
   bool is_proved_where(Expr l, const std::string& relation, Expr r) {
@@ -239,14 +237,13 @@ private:
   }
   /// (-1)^x has values only where x is whole.
   bool prove_at_whole_exponents() {
-    std::optional<Expr> found;
+    Expr exponent;  // not always whole, of a power whose base is negative
     for (Expr e : parts_of(left - right))
-      if (!found && is_call(e, "raised") && !kernel::free_variables(e.arg(1)).empty() &&
+      if (!exponent && is_call(e, "raised") && !kernel::free_variables(e.arg(1)).empty() &&
           !Forms(domain).is_integer(e.arg(1)) &&
           is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain))
-        found = e.arg(1);  // not always whole, of a power whose base is negative
-    if (!found) return false;
-    const Expr exponent = *found;
+        exponent = e.arg(1);
+    if (!exponent) return false;
     Domain all = domain;
     std::vector<std::string> how;
     for (Expr x : kernel::free_variables(exponent))
@@ -291,37 +288,63 @@ private:
   }
 
   void add_conditions() {
-    std::set<std::string> seen(verdict.conditions.begin(), verdict.conditions.end());
+    const auto is_sure = [&](const Requirement& r) { return is_certain(r, domain); };
     for (const Requirement& r : needs) {
       const bool is_weaker = r.kind == Need::NotNegative &&  // than another one, or whole exponents
                              (std::ranges::count(needs, Requirement{Need::Positive, r.term}) > 0 ||
                               is_certain({Need::Positive, Expr(-1) * r.term}, domain));
-      if (is_weaker || is_certain(r, domain) || !seen.insert(text(r)).second) continue;
+      if (is_weaker || is_sure(r) || std::ranges::count(verdict.conditions, text(r)) > 0) continue;
       verdict.conditions.push_back(text(r));
-      if (r.kind == Need::NotZero) note_gap(r.term);
+      if (r.kind != Need::NotZero || wanted != Wanted::Explanation) continue;
+      note_gap(r.term);
+      for (const auto& [side, other] : {std::pair("left", right), {"right", left}})
+        if (verdict.notes.empty() && std::ranges::all_of(requirements(other, domain), is_sure))
+          verdict.notes = {std::string("the ") + side + " side alone needs " + text(r)};
     }
   }
-  /// Where a divisor is 0 at none of the points that were tried, as at x = sqrt(2).
+  /// Where a divisor is 0 at none of the points that were tried, as at x = sqrt(2) or y = 7/x.
   void note_gap(Expr divisor) {
-    for (Expr x : kernel::free_variables(divisor))
-      for (Expr value : zeros_of(divisor, x)) {
-        if (is_case || domain.ranges.size() > 1 || !verdict.notes.empty()) return;
-        Domain part = domain;
-        part.further.push_back({x, "=", value});
-        is_proved([&] {
-          Question there(left, right, part);
-          is_proved([&] { return there.is_different_somewhere(); });
-          verdict.notes = there.verdict.notes;
-          return true;
-        });
+    std::vector<Point> all = points(domain, points_beside, {});
+    all.resize(std::min(all.size(), domain.ranges.size() == 1 ? 1 : points_beside));
+    for (const Point& point : all)
+      for (const auto& [x, old] : point) {
+        Domain there = domain;
+        Point others = point;
+        others.erase(x);
+        for (const auto& [y, value] : others) there.further.push_back({y, "=", value});
+        for (Expr value : zeros_of(at(others, divisor), x)) {
+          if (!verdict.notes.empty() || gaps_tried++ >= most_gaps) return;
+          there.further.push_back({x, "=", value});
+          is_proved([&] {
+            Question one(left, right, there, Wanted::Verdict);
+            is_proved([&] { return one.is_different_somewhere(); });
+            verdict.notes = one.verdict.notes;
+            return true;
+          });
+          there.further.pop_back();
+        }
       }
+  }
+  /// Symbols in an exponent whose values the domain does not fix.
+  void note_power() {
+    for (Expr e : parts_of(left - right)) {
+      if (!is_call(e, "raised") || kernel::free_variables(e.arg(1)).empty()) continue;
+      const std::string condition = text(Requirement{Need::NotNegative, e.arg(0)});
+      if (std::ranges::count(verdict.conditions, condition) == 0 ||
+          Forms(domain).is_integer(e.arg(1)))
+        continue;
+      verdict.notes.push_back(typed_text(e) + " has a value where " + condition +
+                              ", or where the symbols of its exponent are whole; a value that the "
+                              "domain gives them is put in first");
+      return;
+    }
   }
 };
 }  // namespace
 
-Verdict decide(Expr left, Expr right, const Domain& domain) {
+Verdict decide(Expr left, Expr right, const Domain& domain, Wanted wanted) {
   try {
-    return Question(left, right, domain).answer();
+    return Question(left, right, domain, wanted).answer();
   } catch (const NotDefined& none) {
     kernel::refuse(std::string("there is no value: ") + none.what());
   } catch (const TooLarge& large) {

@@ -101,8 +101,11 @@ struct Verdict {
   std::optional<Counterexample> counterexample = {};
   std::string theorem = {};  ///< what the kernel certified, for rational functions
 };
+/// Explanation: also points of gaps, what powers need, and the kernel's theorem. Case: one of
+/// those that a proof is split into, tried at few points and not split again.
+enum class Wanted { Case, Verdict, Explanation };
 /// Equal: proved wherever both sides have a value, but for isolated points. Different: at a point
 /// both values are certain, and differ. Refused (kernel::Refused): no such point was found.
-Verdict decide(Expr left, Expr right, const Domain& domain);
+Verdict decide(Expr left, Expr right, const Domain& domain, Wanted wanted = Wanted::Explanation);
 const char* word(Answer answer);  ///< "equal", "different", "undecided"
 }  // namespace equality

@@ -22,13 +22,10 @@ cln::cl_RA common_divisor(const cln::cl_RA& a, const cln::cl_RA& b) {
 struct Generator {
   Expr atom;
   Monomial monomial;
-  cln::cl_RA least;
-  cln::cl_RA step;
+  cln::cl_RA least, step;
 };
 cln::cl_RA coefficient(const Product& product, Expr atom, const Monomial& monomial) {
-  const Exponent e = exponent_in(product, atom);
-  const auto it = e.find(monomial);
-  return it == e.end() ? cln::cl_RA(0) : it->second;
+  return of_part(exponent_in(product, atom), monomial);
 }
 std::map<Expr, Generator> generators(const Sum& sum) {
   std::set<std::pair<Expr, Monomial>> seen;
@@ -179,11 +176,6 @@ void Forms::take_real(Factors& into, const Sum& part, int times_taken) {
   }
   for (const auto& [atom, e] : part.begin()->first)
     multiply(into.powers, atom, kernel::scaled(e, times_taken));
-}
-Expr Forms::composite(const Sum& sum) {
-  const Expr e = expression(sum);
-  composites.emplace(e, sum);
-  return e;
 }
 Sum Forms::reduced(Product product, cln::cl_RA number) {
   reduce(product, number);

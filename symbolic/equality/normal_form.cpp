@@ -25,11 +25,6 @@ void multiply_number(Product& into, const cln::cl_RA& q, const Exponent& e) {
   for (const auto& [p, k] : primes(cln::denominator(q))) multiply(into, p, kernel::scaled(e, -k));
 }
 bool has_log(Expr e) { return is_call(e, "log") || std::ranges::any_of(e.args(), has_log); }
-bool has_log(const Sum& sum) {
-  return std::ranges::any_of(sum, [](const auto& term) {
-    return std::ranges::any_of(term.first, [](const auto& p) { return has_log(p.first); });
-  });
-}
 }  // namespace
 
 Sum Forms::of(Expr term) {
@@ -71,8 +66,7 @@ Sum Forms::function(Expr term) {
   if (name == "exp") return exponential(x);
   if (name == "log") return logarithm(x);
   if (name == "sin" || name == "cos") {
-    const Sum there = turned(x);
-    const Sum back = turned(scaled(x, -1));
+    const Sum there = turned(x), back = turned(scaled(x, -1));
     if (name == "cos") return scaled(there + back, cln::cl_RA(1) / 2);
     return scaled(times(imaginary(), back - there), cln::cl_RA(1) / 2);
   }
@@ -90,7 +84,8 @@ Sum Forms::function(Expr term) {
     if (term.arg(0) == circle()) return reduced({{circle(), e}});
     const auto k = whole_number(e);
     if (k && std::abs(*k) <= 10000) return integer_power(x, *k);
-    if (has_log(power) && is_positive(x))  // 2^(log(x)/log(2)) is x, x^log(y) is y^log(x)
+    if (has_log(expression(power)) &&
+        is_positive(x))  // 2^(log(x)/log(2)) is x, x^log(y) is y^log(x)
       return exponential(sum_of(multiplied(e, exponent_of(logarithm(x)))));
     return is_integer(e) ? symbolic_power(x, e) : real_power(x, e);
   }
@@ -284,5 +279,4 @@ Sum Forms::inverse_angle(const std::string& name, const Sum& sum) {
   });
   return is_part_of_pi ? scaled(atom(kernel::pi()), q) : atom(angle);
 }
-bool Forms::is_whole_turns(const Sum& sum) { return is_zero(turned(sum) - number(1)); }
 }  // namespace equality

@@ -20,22 +20,28 @@ using Sum = std::map<Product, cln::cl_RA>;  ///< no coefficient is 0
 
 // The atoms of a normal form that stand for no symbol, and arithmetic.
 Expr circle();  ///< z, the point of the unit circle: z^u = cos(u) + i sin(u)
-Expr euler();   ///< exp(1)
-Expr absolute(Expr e);
-Sum number(const cln::cl_RA& q);
-Sum atom(Expr e, const Exponent& exponent = {{{}, 1}});
+inline Expr euler() { return notation::call("exp", 1); }
+inline Expr absolute(Expr e) { return notation::call("abs", e); }
+inline Sum number(const cln::cl_RA& q) { return q == 0 ? Sum() : Sum{{Product(), q}}; }
+inline Sum atom(Expr e, const Exponent& power = {{{}, 1}}) { return {{Product{{e, power}}, 1}}; }
 Sum imaginary();  ///< i = z^(pi/2)
 Sum operator+(const Sum& a, const Sum& b);
-Sum operator-(const Sum& a, const Sum& b);
 Sum scaled(const Sum& a, const cln::cl_RA& q);
+inline Sum operator-(const Sum& a, const Sum& b) { return a + scaled(b, -1); }
 Exponent exponent(const cln::cl_RA& q);
 Exponent times_pi(const cln::cl_RA& q);
-Exponent exponent_in(const Product& product, Expr atom);  ///< 0 where it is absent
-cln::cl_RA constant_part(const Exponent& e);
+/// What a sum, a product or an exponent has of one part: 0 where it is absent.
+template <class Parts>
+typename Parts::mapped_type of_part(const Parts& parts, const typename Parts::key_type& part) {
+  const auto it = parts.find(part);
+  return it == parts.end() ? typename Parts::mapped_type() : it->second;
+}
+inline Exponent exponent_in(const Product& product, Expr atom) { return of_part(product, atom); }
+inline cln::cl_RA constant_part(const Exponent& e) { return of_part(e, {}); }
 std::optional<cln::cl_RA> number_of(const Exponent& e);
 std::optional<int> whole_number(const Exponent& e);
-bool is_whole(const cln::cl_RA& q);
-bool is_even(const cln::cl_RA& whole);
+inline bool is_whole(const cln::cl_RA& q) { return cln::denominator(q) == 1; }
+inline bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(whole)); }
 bool is_arcus(Expr e);
 void multiply(Product& into, Expr atom, const Exponent& exponent);
 /// What cannot be computed is not proved.
@@ -73,14 +79,15 @@ struct Requirement {
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
 std::string text(const Requirement& r);  ///< "x - 1 != 0"
 /// "x >= 0 |- sqrt(x)^2 = x", which the kernel proves from what the terms need, what the domain
-/// says, and what other roots are: "(2^(1/3))^3 = 2"; "" where that is not found, or not all of +,
-/// *, quotients, roots and sines of parts of pi.
-std::string certified(Expr left, Expr right, std::vector<Requirement> needs, const Domain& domain);
+/// says, what is `given` (x = 2, put in one after the other) and what other roots are. Refused
+/// (kernel::Refused): not found, or not all of +, *, quotients, roots and sines of parts of pi.
+std::string certified(Expr goal, const Exprs& given, std::vector<Requirement> needs,
+                      const Domain& domain);
 /// Where a term is 0 that is linear in x, with a number as its coefficient.
 std::optional<Expr> zero_of(Expr term, Expr x);
 /// a, b and c, if it is a x^2 + b x + c.
 std::array<Expr, 3> quadratic_in(Expr term, Expr x);
-/// And where it may be 0, if it is quadratic in x, or has a sine or cosine of it.
+/// And where it may be 0: quadratic in x, or with x in one function that has an inverse.
 Exprs zeros_of(Expr term, Expr x);
 /// What holds where it says so of several symbols, or of one and an irrational number.
 std::vector<Requirement> conditions(const Domain& domain);
@@ -98,7 +105,7 @@ public:
   bool is_positive(const Sum& sum) { return has_sign(sum, 1, true); }
   bool holds(const Requirement& requirement);
   /// z^u - 1 for u = the sum: 0 where it is a multiple of 2 pi.
-  bool is_whole_turns(const Sum& sum);
+  bool is_whole_turns(const Sum& sum) { return is_zero(turned(sum) - number(1)); }
   bool is_integer(Expr term);
   Expr expression(const Sum& sum);
   /// The same where the sum is real, with cos(u) for z^u; else nothing. This alone is a term of
@@ -142,18 +149,17 @@ private:
   Sum inverse_angle(const std::string& name, const Sum& sum);
   const Factors& factors(const Sum& sum);
   Factors factors_of(const Sum& sum);
-  Expr composite(const Sum& sum);
+  Expr composite(const Sum& sum) { return composites.emplace(expression(sum), sum).first->first; }
   void take_factor(Factors& into, Sum part, int times_taken);
   void take_real(Factors& into, const Sum& part, int times_taken);
   Sum reduced(Product product, cln::cl_RA number = 1);
 
   Exponent exponent_of(const Sum& sum);
-  Sum sum_of(const Exponent& exponent);
+  Sum sum_of(const Exponent& exponent) { return of(kernel::expression(exponent)); }
   bool is_integer(const Exponent& exponent) const;
-  bool is_integer_symbol(Expr atom) const;
+  bool is_integer_symbol(Expr atom) const { return of_part(where.ranges, atom).is_integer; }
   bool is_complex(Expr atom);
   Sum conjugated(const Sum& sum);
-  Expr expression(const Product& product);
   Exponent constant(Expr atom, const Exponent& e);
 
   Sum expanded(Sum sum, Product* divisor = nullptr);

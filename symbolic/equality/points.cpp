@@ -7,11 +7,6 @@ namespace {
 constexpr std::size_t most_tried = 60;    // for one point that satisfies the further conditions
 constexpr std::size_t most_special = 24;  // values that the numbers of the terms suggest
 
-bool is_in(const Domain& domain, const Point& point) {
-  return std::ranges::all_of(domain.further, [&](const notation::Comparison& c) {
-    return holds({at(point, c.left), c.relation, at(point, c.right)}) == true;
-  });
-}
 // The values of a range to try: the simplest first, or fractions first, and the special ones last.
 std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is_inside,
                                   const std::set<cln::cl_RA>& special, std::size_t most) {
@@ -60,8 +55,7 @@ std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is
     const cln::cl_RA middle = (*turn + *next) / 2;
     add(range.is_integer ? cln::cl_RA(cln::floor1(middle)) : middle);
   }
-  cln::cl_RA inward = cln::cl_RA(1) / 1000;
-  if (range.is_integer) inward = 1;
+  cln::cl_RA inward = cln::cl_RA(1) / (range.is_integer ? 1 : 1000);
   if (range.low && range.high) inward = inward * (range.high->value - range.low->value);
   for (const cln::cl_RA& value : {range.low ? range.low->value + inward : below,
                                   range.high ? range.high->value - inward : above})
@@ -82,15 +76,13 @@ void collect_turns(Expr e, std::set<cln::cl_RA>& found) {
     };
     const auto start = at(0), next = at(1), last = at(2);
     if (start && next && last && *next != *start && *last - *next == *next - *start)
-      values = {*start / (*start - *next)};
+      for (int beside : {0, 1, -1}) values.push_back(*start / (*start - *next) + beside);
   }
   if (is_call(e, "log"))
     for (const cln::cl_RA& value : std::set(found))  // about exp(20), where log(x) is 20
       if (value > 0 && value < 60) values.push_back(cln::expt(cln::cl_RA(3), cln::ceiling1(value)));
-  for (const cln::cl_RA& value : values) {
-    if (cln::integer_length(cln::numerator(value)) > 200) continue;
-    found.insert(value);
-  }
+  for (const cln::cl_RA& value : values)
+    if (cln::integer_length(cln::numerator(value)) <= 200) found.insert(value);
 }
 // x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
 // power is, though (-1/2)^y has a value by accident at some fractions.
@@ -119,7 +111,10 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   const auto add = [&](const auto& place) {
     Point point;
     for (std::size_t j = 0; j < symbols.size(); ++j) point[symbols[j]] = values[j][place(j)];
-    if (is_in(domain, point)) out.push_back(point);
+    if (std::ranges::all_of(domain.further, [&](const notation::Comparison& c) {
+          return holds({at(point, c.left), c.relation, at(point, c.right)}) == true;
+        }))
+      out.push_back(point);
   };
   // By the sum of the places in the lists, so that simple points come first.
   using Places = std::vector<std::size_t>;

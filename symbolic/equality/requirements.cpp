@@ -73,12 +73,33 @@ std::optional<Expr> zero_of(Expr term, Expr x) {
   return value;
 }
 
+// u, if e is f(u).
+std::optional<Expr> inverse(Expr e, Expr value) {
+  static const std::map<std::string, std::string> inverses{{"exp", "log"},  {"log", "exp"},
+                                                           {"sin", "asin"}, {"cos", "acos"},
+                                                           {"asin", "sin"}, {"acos", "cos"}};
+  if (e.op() == Op::Pow) return notation::root(e.exponent(), value);
+  if (is_call(e, "atan")) return kernel::sin(value) / kernel::cos(value);
+  const auto it = e.op() == Op::Fun ? inverses.find(e.name()) : inverses.end();
+  return it == inverses.end() ? std::nullopt : std::optional(notation::call(it->second, value));
+}
 Exprs zeros_of(Expr term, Expr x) {
   if (const auto zero = zero_of(term, x)) return {*zero};
   const auto [a, b, c] = quadratic_in(term, x);
-  Exprs out{kernel::pi() / 2, kernel::pi()};
+  Exprs out;
   for (Expr root : {-kernel::sqrt(b * b - 4 * a * c), kernel::sqrt(b * b - 4 * a * c)})
     if (const auto zero = zero_of(2 * a * x + b - root, x)) out.push_back(*zero);
+  const Expr value = kernel::real("value_of_function");  // which nobody can type
+  for (Expr e : parts_of(term)) {
+    if ((e.op() != Op::Fun && e.op() != Op::Pow) || !kernel::free_variables(e).contains(x))
+      continue;
+    const auto is = zero_of(kernel::replace(term, e, value), value);
+    if (!is || !kernel::free_variables(*is).empty()) continue;
+    if (const auto inner = inverse(e, *is))
+      for (Expr zero : zeros_of(e.arg(0) - *inner, x)) out.push_back(zero);
+    if (is_call(e, "sin") || is_call(e, "cos"))
+      for (Expr angle : {kernel::pi() / 2, kernel::pi()}) out.push_back(angle);
+  }
   return out;
 }
 

@@ -18,8 +18,7 @@ template <class ConstantPart>
 std::map<Product, Sum> coefficients(const Sum& sum, const ConstantPart& constant_part) {
   std::map<Product, Sum> out;
   for (const auto& [product, q] : sum) {
-    Product function = product;
-    Product constant;
+    Product function = product, constant;
     for (const auto& [atom, e] : product) {
       const Exponent part = constant_part(atom, e);
       multiply(constant, atom, part);
@@ -68,8 +67,7 @@ Sum Forms::expanded(Sum sum, Product* divisor) {
 }
 // What of a power is a constant: z^(pi/3) of z^(x + pi/3).
 Exponent Forms::constant(Expr atom, const Exponent& e) {
-  const kernel::Monomial pi{{kernel::pi(), 1}};
-  if (atom == circle()) return e.contains(pi) ? times_pi(e.at(pi)) : Exponent();
+  if (atom == circle()) return times_pi(of_part(e, {{kernel::pi(), 1}}));
   const bool is_number = number_of(e) && kernel::free_variables(atom).empty() &&
                          !is_complex(atom) && is_algebraic(atom);
   return is_number ? e : Exponent();
@@ -191,8 +189,7 @@ int Forms::sign_of_number(const Sum& sum) {
 }
 // c + sum of c_i z^u_i is at least c - sum of |c_i|, where it is real.
 int Forms::sign_of_trigonometric(const Sum& sum) {
-  cln::cl_RA constant = 0;
-  cln::cl_RA others = 0;
+  cln::cl_RA constant = 0, others = 0;
   for (const auto& [powers, q] : sum) {
     if (powers.empty())
       constant = q;
@@ -259,9 +256,7 @@ int Forms::sign_by_shift(const Sum& sum) {
   const std::optional<Expr> e = real_expression(sum);
   if (!e) return 0;
   for (const Expr& x : kernel::free_variables(*e)) {
-    const auto it = where.ranges.find(x);
-    if (it == where.ranges.end()) continue;
-    const Range& range = it->second;
+    const Range range = of_part(where.ranges, x);
     if (!range.high && (!range.low || range.low->value == 0)) continue;
     const End& start = range.low ? *range.low : *range.high;
     const bool is_bounded = range.low && range.high;

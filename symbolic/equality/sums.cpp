@@ -11,10 +11,9 @@ constexpr std::size_t most_products = 200000;
 
 void add(Sum& into, const Product& product, const cln::cl_RA& q) {
   if (q == 0) return;
-  const auto [it, is_new] = into.try_emplace(product, q);
-  if (is_new) return;
-  it->second = it->second + q;
-  if (it->second == 0) into.erase(it);
+  cln::cl_RA& sum = into[product];
+  sum = sum + q;
+  if (sum == 0) into.erase(product);
 }
 Expr raised(Expr base, const Exponent& e) {
   if (e == exponent(cln::cl_RA(1) / 2)) return kernel::sqrt(base);
@@ -27,35 +26,19 @@ Expr circle() {
   if (!kernel::signature("unit_circle")) kernel::declare("unit_circle", {});
   return kernel::fun("unit_circle", {});
 }
-Expr euler() { return notation::call("exp", 1); }
-Expr absolute(Expr e) { return notation::call("abs", e); }
-Sum number(const cln::cl_RA& q) { return q == 0 ? Sum() : Sum{{Product(), q}}; }
-Sum atom(Expr e, const Exponent& exponent) { return {{Product{{e, exponent}}, 1}}; }
 Sum imaginary() { return atom(circle(), times_pi(cln::cl_RA(1) / 2)); }
 Sum operator+(const Sum& a, const Sum& b) {
   Sum out = a;
   for (const auto& [product, q] : b) add(out, product, q);
   return out;
 }
-Sum operator-(const Sum& a, const Sum& b) { return a + scaled(b, -1); }
 Sum scaled(const Sum& a, const cln::cl_RA& q) {
   Sum out;
   for (const auto& [product, coefficient] : a) add(out, product, coefficient * q);
   return out;
 }
-Exponent exponent(const cln::cl_RA& q) {
-  if (q == 0) return {};
-  return {{kernel::Monomial(), q}};
-}
+Exponent exponent(const cln::cl_RA& q) { return q == 0 ? Exponent() : Exponent{{{}, q}}; }
 Exponent times_pi(const cln::cl_RA& q) { return exponent(q) * kernel::polynomial(kernel::pi()); }
-Exponent exponent_in(const Product& product, Expr atom) {
-  const auto it = product.find(atom);
-  return it == product.end() ? Exponent() : it->second;
-}
-cln::cl_RA constant_part(const Exponent& e) {
-  const auto it = e.find({});
-  return it == e.end() ? cln::cl_RA(0) : it->second;
-}
 std::optional<cln::cl_RA> number_of(const Exponent& e) {
   const cln::cl_RA q = constant_part(e);
   return e == exponent(q) ? std::optional(q) : std::nullopt;
@@ -65,8 +48,6 @@ std::optional<int> whole_number(const Exponent& e) {
   if (!k || !is_whole(*k) || cln::abs(*k) > std::numeric_limits<int>::max()) return {};
   return cln::cl_I_to_int(cln::numerator(*k));
 }
-bool is_whole(const cln::cl_RA& q) { return cln::denominator(q) == 1; }
-bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(whole)); }
 bool is_arcus(Expr e) { return is_call(e, "atan") || is_call(e, "asin") || is_call(e, "acos"); }
 void multiply(Product& into, Expr atom, const Exponent& exponent) {
   Exponent& e = into[atom];
@@ -161,19 +142,13 @@ Sum Forms::conjugated(const Sum& sum) {
   for (const auto& [product, q] : sum) {
     Product turned = product;
     multiply(turned, circle(), kernel::scaled(exponent_in(product, circle()), -2));
-    cln::cl_RA coefficient = q;
-    reduce(turned, coefficient);
-    add(out, turned, coefficient);
+    for (const auto& [powers, coefficient] : reduced(turned, q)) add(out, powers, coefficient);
   }
   return out;
 }
 
 bool Forms::is_integer(Expr e) {
   return is_proved([&] { return is_integer(exponent_of(of(e))); });
-}
-bool Forms::is_integer_symbol(Expr atom) const {
-  const auto it = where.ranges.find(atom);
-  return it != where.ranges.end() && it->second.is_integer;
 }
 bool Forms::is_integer(const Exponent& exponent) const {
   for (const auto& [monomial, q] : exponent) {
@@ -196,8 +171,9 @@ Exponent Forms::exponent_of(const Sum& sum) {
         rest[atom] = e;
     }
     if (!rest.empty()) {
-      const Expr whole = expression(rest);
-      forms[whole] = {{rest, 1}};
+      const Sum power{{rest, 1}};
+      const Expr whole = expression(power);
+      forms[whole] = power;
       monomial.emplace_back(whole, 1);
       std::ranges::sort(monomial);
     }
@@ -205,19 +181,14 @@ Exponent Forms::exponent_of(const Sum& sum) {
   }
   return out;
 }
-Sum Forms::sum_of(const Exponent& exponent) { return of(kernel::expression(exponent)); }
 
-Expr Forms::expression(const Product& product) {
-  Exprs factors;
-  for (const auto& [atom, e] : product) factors.push_back(raised(atom, e));
-  return factors.size() == 1 ? factors[0] : kernel::product(factors);
-}
 Expr Forms::expression(const Sum& sum) {
   Exprs terms;
   for (const auto& [product, q] : sum) {
-    terms.push_back(product.empty() ? Expr(q)
-                    : q == 1        ? expression(product)
-                                    : Expr(q) * expression(product));
+    Exprs factors;
+    for (const auto& [atom, e] : product) factors.push_back(raised(atom, e));
+    if (q != 1 || factors.empty()) factors.insert(factors.begin(), q);
+    terms.push_back(factors.size() == 1 ? factors[0] : kernel::product(factors));
   }
   return terms.empty() ? Expr(0) : terms.size() == 1 ? terms[0] : kernel::sum(terms);
 }

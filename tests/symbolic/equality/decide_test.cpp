@@ -27,13 +27,18 @@ struct Pair {
   Verdict verdict;
 };
 /// `wanted` may be "certified" or "not certified": equal, and whether the kernel proves it.
+/// "different: x = 1": the counterexample. "equal: has no value at x = 1: why": one side alone.
 std::string word_of(const std::string& left, const std::string& right, const std::string& domain,
                     const std::string& wanted) {
   try {
     const Verdict verdict = Pair(left, right, domain).verdict;
-    if (verdict.answer != Answer::Equal || wanted.find("certified") == wanted.npos)
-      return word(verdict.answer);
-    return verdict.theorem.empty() ? "not certified" : "certified";
+    std::string found = word(verdict.answer);
+    if (verdict.answer == Answer::Equal && wanted.find("certified") != wanted.npos)
+      found = verdict.theorem.empty() ? "not certified" : "certified";
+    if (wanted.find(": ") == wanted.npos) return found;
+    if (verdict.counterexample) return found + ": " + verdict.counterexample->point;
+    const std::string note = verdict.notes.empty() ? "alone no gap" : verdict.notes[0];
+    return found + ": " + note.substr(note.find("alone ") + 6);
   } catch (const kernel::Refused&) {
     return "no point";
   }
