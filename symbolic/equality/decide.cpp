@@ -5,7 +5,7 @@ namespace equality {
 using notation::typed_text;
 namespace {
 constexpr std::size_t points_tried = 40, points_inside = 10, points_of_case = 4;
-constexpr std::size_t points_beyond = 8, points_beside = 8, points_exactly = 3;
+constexpr std::size_t points_beyond = 8, points_beside = 20, points_exactly = 3;
 constexpr int digits_shown = 16;
 constexpr std::size_t longest_shown = 40;
 constexpr int largest_denominator = 1000;
@@ -44,7 +44,7 @@ public:
     if (is_different_somewhere()) return verdict;
     if (prove()) {
       verdict.answer = Answer::Equal;
-      add_conditions();
+      if (wanted != Wanted::Case) add_conditions();
       if (wanted != Wanted::Explanation) return verdict;
       note_power();
       try {
