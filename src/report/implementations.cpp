@@ -114,8 +114,8 @@ const std::vector<Implementation>& implementations() {
   using AtEnd = std::optional<Terminal> (*)(double);
   constexpr std::size_t few = 50;
   const auto closed_ratios = [](std::int64_t k) {
-    return Ratios{generated::magic_closed<double>(k).alpha_,
-                  generated::deficient_closed<double>(k).beta_};
+    const auto [alpha_k, beta_k] = generated::ratios_closed<double>(k);
+    return Ratios{alpha_k, beta_k};
   };
   static const std::vector<Implementation> all{
       {"naive", velocities, each(naive::velocities)},

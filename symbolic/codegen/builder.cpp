@@ -33,9 +33,10 @@ int Builder::add(Node n) {
     n.least = program[n.of[0]].least * program[n.of[1]].least;
   // Up to there, and down to its inverse, nothing over- or underflows: of pairs, no products,
   // splits and errors of products.
-  const double most = numbers == Numbers::doubles ? 0x1p900
-                      : numbers == Numbers::plain ? 0x1p1000
-                                                  : infinity;
+  const double most = numbers == Numbers::doubles  ? 0x1p900
+                      : numbers == Numbers::plain  ? 0x1p1000
+                      : numbers == Numbers::single ? 0x1p120
+                                                   : infinity;
   if (!(n.range.size() <= most) || (n.least > 0 && n.least < 1 / most))
     throw Refused("a value of operation " + std::to_string(int(n.op)) + " may over- or underflow");
   program.nodes.push_back(n);

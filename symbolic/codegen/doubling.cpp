@@ -53,7 +53,7 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
     return commented(code, kernel::text(of.conclusion()));
   };
   return "/// " + cpp_name(f) + " at 2n and at 2n + 1, by doubling the index.\n" +
-         "template <class Number>\nstd::pair<Number, Number> " + cpp_name(f) + "_doubled(" +
+         "template <class Number> std::pair<Number, Number> " + cpp_name(f) + "_doubled(" +
          parameters + "std::int64_t n) {\n" +
          line("  const Number first = " + first + ";", t.at_1) +
          line("  Number low = " + start + ";", t.at_0) +

@@ -65,10 +65,12 @@ private:
 };
 /// A quantity to be written as a function QUANTITY_FORM: closed, product, tangent; `exact`: over
 /// any field, by rational theorems; `matrices`: each output is one. Its domain is that of the
-/// narrow ranges, for numbers of doubles' precision and exponents, or better.
+/// narrow ranges, for numbers of doubles' precision and exponents, or better; for others as float
+/// with ends of the same signs whose sizes are at most `most_in_float`, and at least one by it.
 struct PlainForm {
   Quantity quantity;
   std::string form;
+  double most_in_float = infinity;
 };
 /// All forms of one name in one header, with the outputs that are wanted (none named: all) and what
 /// those need. Refused: a wanted output that there is none of; what may over- or underflow.

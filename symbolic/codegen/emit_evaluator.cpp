@@ -110,18 +110,19 @@ private:
   }
 
   void structure() {
-    line("/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) + ".");
     Words theorems;
     for (const Theorem& t : c.outputs) theorems.push_back(shown(q, t.conclusion()));
-    line("/// Theorems: " + joined(theorems, "; ") + ".");
+    result.header += "/// " + q.name + ", " + c.name + ": " + domain_in_words(q, c) +
+                     ". Theorems: " + joined(theorems, "; ") + ". ";
     std::map<std::string, Words> facts;  // by what they rest on
     for (const Fact& f : c.facts) {
       const std::string computed = f.of_computed.empty() ? "" : "; and: " + f.of_computed;
       facts[f.argument + computed].push_back(shown(q, f.formula));
     }
-    for (const auto& [why, formulas] : facts) line("/// " + joined(formulas, ", ") + ": " + why);
-    line("/// Operations: " + operation_counts(p) + ".");
-    line("template <class Tier, class N>\nstruct " + name + " {\n  using T = typename N::Value;");
+    for (const auto& [why, formulas] : facts)
+      result.header += joined(formulas, ", ") + ": " + why + ". ";
+    line("Operations: " + operation_counts(p) + ".");
+    line("template <class Tier, class N> struct " + name + " {\n  using T = typename N::Value;");
     const std::set<int> kept = members();
     Words exact, numbers, results{"doubt{}"};
     for (const Input& i : q.inputs) exact.push_back(i.name());
@@ -280,7 +281,7 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
               capital(c.name) + ">();\n";
   }
   const std::string of_arrays = q.has_arrays ? ", " + Q + "Columns" : "";
-  const std::string main = q.has_arrays ? "  template <class Tier, class N>\n  using Main = " + Q +
+  const std::string main = q.has_arrays ? "  template <class Tier, class N> using Main = " + Q +
                                               capital(q.cases[0].name) + "<Tier, N>;\n"
                                         : "";
   e.header = broken(

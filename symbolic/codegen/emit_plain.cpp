@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // One function template a quantity, one branch a case; others are refused at run time.
 #include <algorithm>
+#include <cmath>
 #include <regex>
 
 #include "codegen/emit.hpp"
@@ -8,40 +9,30 @@
 namespace codegen {
 namespace {
 
+/// In numbers of float's size an end's size is at most that, and at least one by it.
+double in_float(double end, double most) {
+  return end == 0 ? 0 : std::copysign(std::clamp(std::fabs(end), 1 / most, most), end);
+}
 /// "alpha >= Number(0x1p-300) && ...", "" where nothing is tested: a field need have no order.
 std::string guard(const PlainForm& f, const Case& c) {
   Words parts;
   for (const Input& i : f.quantity.inputs) {
     if (f.form == "exact" && !i.is_whole()) continue;
-    const std::string name = i.name();
-    const Interval r = range_of(i, c, false);
+    const auto number = [&](double x) { return i.is_whole() ? kernel::digits(exact(x)) : hex(x); };
     const auto end = [&](double x) {
-      return i.is_whole() ? kernel::digits(exact(x)) : "Number(" + hex(x) + ")";
+      const std::string all = number(x), other = number(in_float(x, f.most_in_float));
+      if (all == other && i.is_whole()) return all;
+      const std::string choice = all == other ? "" : "sizeof(Number) > 4 ? " + all + " : ";
+      return (i.is_whole() ? "(" : "Number(") + choice + other + ")";
     };
-    parts.push_back(name + " >= " + end(r.low) + " && " + name + " <= " + end(r.high));
+    const Interval r = range_of(i, c, false);
+    parts.push_back(i.name() + " >= " + end(r.low) + " && " + i.name() + " <= " + end(r.high));
   }
   return joined(parts, " && ");
 }
-/// The exception, with its text on a line of its own where that takes one; what is longer is in the
-/// comment alone.
-std::string thrown(const std::string& function, const std::string& what) {
-  const std::string start = "    throw std::domain_error(\"" + function + ": ",
-                    next = "\"\n        \"";
-  const auto fits = [](std::size_t before, const std::string& x) {
-    return before + x.size() + 3 <= columns;
-  };
-  const std::string said = fits(9, what) ? what : "outside of the domain that its comment states";
-  return start + (fits(start.size(), said) ? "" : next) + said + "\");\n";
-}
-/// Outside of it a named value is not what the formula is for.
-std::string guard_lines(const std::string& function, const Case& c) {
-  std::string lines;
-  for (const Condition& g : c.guards) {
-    const std::string name = identifier(g.name), low = hex(g.range.low), high = hex(g.range.high);
-    lines += "  if (!(" + name + " > Number(" + low + ") && " + name + " < Number(" + high +
-             ")))\n" + thrown(function, name + " must be between " + low + " and " + high);
-  }
-  return lines;
+/// The exception where that does not hold.
+std::string unless(const std::string& condition, const std::string& what) {
+  return "  if (!(" + condition + "))\n    throw std::domain_error(\"" + what + "\");\n";
 }
 std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg(0).name()); }
 
@@ -85,13 +76,23 @@ std::string results(const Program& p, PlainText& text, Expr first) {
     rows.push_back("{" + joined({v, v + first.cols()}, ", ") + "}");
   return "{" + joined(rows, ", ") + "}";
 }
+/// An id without a chapter is of the one before it.
+std::string listed(Words ids) {
+  std::string chapter;
+  for (std::string& id : ids) {
+    const std::string of = id.substr(0, id.find('.') + 1);
+    id = id.substr(of == chapter ? of.size() : 0);
+    chapter = of;
+  }
+  return joined(ids, ", ");
+}
 std::string array_of(const std::string& type, int size) {
   return "std::array<" + type + ", " + std::to_string(size) + ">";
 }
 
 /// A function's code, to the header, and what the manifest says of it, if an output is wanted.
 void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::string>& wanted,
-                   Emitted& e) {
+                   Emitted& e, std::set<std::string>& functions) {
   const Quantity q = wanted_part(f.quantity, wanted);
   Words all, ceilings;
   for (const Output& o : outputs_of(q.cases[0])) {
@@ -104,53 +105,62 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   const std::string structure = capital(q.name) + capital(f.form);
   const Expr first = q.cases[0].outputs[0].conclusion().arg(0);
   std::string code;
-  std::set<std::string> functions;  // of <cmath>
   Words domains, counts, parameters;
-  const bool is_exact = f.form == "exact";
+  const bool is_exact = f.form == "exact", is_float = f.most_in_float < infinity;
   const std::regex line_start("\n(?=.)");
   for (const Case& c : q.cases) {
     const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
     PlainText text(p);
     domains.push_back(domain_in_words(q, c, is_exact));
+    Quantity single = q;
+    for (auto& [variable, range, wide, zero] : single.inputs)
+      range = {in_float(range.low, f.most_in_float), in_float(range.high, f.most_in_float)};
+    if (is_float) lower(single, c, Numbers::single);  // for what it refuses
     counts.push_back(operation_counts(p) + (p.calls.empty() ? "" : ", and those of the calls"));
-    const std::string body = p.calls + text.lines() + guard_lines(name, c) + "  return {" +
-                             results(p, text, first) + "};\n";
+    std::string guards;  // outside of them a named value is not what the formula is for
+    for (const Condition& g : c.guards) {
+      const std::string value = identifier(g.name), low = hex(g.range.low),
+                        high = hex(g.range.high);
+      guards += unless(value + " > Number(" + low + ") && " + value + " < Number(" + high + ")",
+                       name + ": " + value + " must be in (" + low + ", " + high + ")");
+    }
+    const std::string body =
+        p.calls + text.lines() + guards + "  return {" + results(p, text, first) + "};\n";
     functions.merge(text.functions);
     if (e.header.find(p.doubling) == std::string::npos) e.header += p.doubling;
-    const std::string inside = guard(f, c), allowed = "allowed: " + joined(domains, "; or ");
+    const std::string inside = guard(f, c);
     if (&c != &q.cases.back()) {
       code +=
           "  if (" + inside + ") {" + std::regex_replace("\n" + body, line_start, "\n  ") + "  }\n";
       continue;
     }
-    if (!inside.empty()) code += "  if (!(" + inside + "))\n" + thrown(name, allowed);
+    if (!inside.empty())
+      code += unless(inside, name + ": outside of the domain that its comment states");
     code += body;
   }
   for (const Input& i : q.inputs)
     parameters.push_back((i.is_whole() ? "std::int64_t " : "const Number& ") + i.name());
   const std::string outputs = joined(all, ", ");
   const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
-  const std::string theorems = joined(ids_of(q.cases, ids), ", ");
+  const std::string theorems = listed(ids_of(q.cases, ids));
   if (!is_matrix)
     e.header +=
-        "template <class Number>\nstruct " + structure + " {\n  Number " + outputs + ";\n};\n";
-  e.header +=
-      "/// " + q.name + of_paper + ": " + outputs + ". Domain: " + joined(domains, "; or ") + ".\n";
-  e.header += theorems.empty() ? "/// " : "/// Theorems: " + theorems + ". ";
-  e.header += "Operations: " + joined(counts, "; or ") + ".\n";
+        "template <class Number> struct " + structure + " {\n  Number " + outputs + ";\n};\n";
+  e.header += "/// " + q.name + of_paper + ": " + outputs +
+              ". Domain: " + joined(domains, "; or ") +
+              (theorems.empty() ? "" : ". Theorems: " + theorems) +
+              ". Operations: " + joined(counts, "; or ");
   if (!ceilings.empty())
     e.header +=
-        "/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
-        joined(ceilings, ", ") + ".\n";
-  e.header +=
-      "template <class Number> requires(!std::" +
-      std::string(is_exact ? "is_arithmetic_v<Number>)\n"
-                           : "integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f\n") +
-      (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
-                 : structure + "<Number>") +
-      " " + name + "(" + joined(parameters, ", ") + ") {\n";
-  if (!functions.empty())
-    e.header += "  using std::" + joined({functions.begin(), functions.end()}, ", std::") + ";\n";
+        ". Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: " +
+        joined(ceilings, ", ");
+  e.header += ".\ntemplate <class Number> requires(!std::" +
+              std::string(is_exact   ? "is_arithmetic_v<Number>)\n"
+                          : is_float ? "integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1\n"
+                                     : "integral<Number> && sizeof(Number) > 4)  // nor 1.0f\n") +
+              (is_matrix ? array_of(array_of("Number", first.cols()), first.rows())
+                         : structure + "<Number>") +
+              " " + name + "(" + joined(parameters, ", ") + ") {\n";
   e.header += code + "}\n";
   e.manifest.push_back(manifest_entry(q, f.form, e.path, ids));
 }
@@ -161,11 +171,14 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   const std::string& form = forms.at(0).form;
   const bool is_exact = form == "exact";
   Emitted result{(is_exact ? "exact/" : "plain/") + form + ".hpp", "", {}};
-  std::set<std::string> all, missing = wanted;
+  std::set<std::string> all, missing = wanted, functions;  // of <cmath>
   for (const PlainForm& f : forms) {
     for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
-    emit_function(f, ids, wanted, result);
+    emit_function(f, ids, wanted, result, functions);
   }
+  if (!functions.empty())
+    result.header = "using std::" + joined({functions.begin(), functions.end()}, ", std::") +
+                    ";\n" + result.header;
   for (const std::string& name : all) missing.erase(name);
   if (!missing.empty())
     throw Refused("no output is called " + *missing.begin() +
@@ -173,22 +186,27 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
   Words includes;
   for (const auto& [used, header] : {std::pair("std::array<", "<array>"),
                                      {"std::bit_width(", "<bit>"},
-                                     {"  using std::", "<cmath>"},
+                                     {"using std::", "<cmath>"},
                                      {"std::integral<", "<concepts>"},
                                      {"std::int64_t", "<cstdint>"},
                                      {"std::domain_error(", "<stdexcept>"},
                                      {"std::is_arithmetic_v<", "<type_traits>"},
                                      {"std::pair<", "<utility>"}})
     if (result.header.find(used) != std::string::npos) includes.push_back(header);
+  const std::string most = hex(forms[0].most_in_float), ends = "or, but for 0, below one by that, ";
+  const std::string of_float =
+      most == "inf" ? "" : "and float, no end of a domain above " + most + " " + ends;
   const std::string numbers =
       is_exact
           ? "any field, without error; doubles are no field, and refused: closed, product "
             "and tangent are for them. A whole number outside of its domain throws "
             "std::domain_error; others are not tested: a field need have no order."
-          : "any real type of double's precision and exponents, or better, with <cmath>'s "
-            "functions; each operation is rounded as the type rounds. No error bound is derived: "
-            "where terms cancel, the result has their absolute error; n times an angle has n "
-            "times its error. Outside of its domain a function throws std::domain_error.";
+          : "any real type of double's precision and exponents, or better, " + of_float +
+                "with <cmath>'s functions; each operation is rounded as the type rounds. No error "
+                "bound is derived: where terms cancel, the result has their absolute error; n "
+                "times "
+                "an angle has n times its error. Outside of its domain a function throws "
+                "std::domain_error.";
   result.header =
       broken(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
                      includes) +

@@ -14,6 +14,7 @@ enum class Numbers {
   doubles,  ///< two or more to a number, with a bound of each error
   wide,     ///< MPFR's: no over- or underflow, whole numbers of any size
   plain,    ///< any real type of doubles' precision and exponents, or better, with <cmath>
+  single,   ///< the same of float's
   field     ///< any field's, without error: no limits, and no function
 };
 class Builder {
@@ -23,7 +24,7 @@ public:
 
   explicit Builder(Numbers of) : numbers(of) {}
   /// Whether each operation of a theorem is one of the number type, as it is.
-  bool is_plain() const { return numbers == Numbers::plain || numbers == Numbers::field; }
+  bool is_plain() const { return numbers != Numbers::doubles && numbers != Numbers::wide; }
 
   std::map<Expr, int> nodes;   ///< of what is known: inputs, names, terms already built
   std::map<int, int> squares;  ///< nodes, for arctangents

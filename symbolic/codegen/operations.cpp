@@ -29,13 +29,14 @@ Loss NumberType::sum(double x, double y) const {
   return is_pair() ? Loss{u * (2 * l + u) * and_more, (u + l) * and_more} : Loss{u, 0};
 }
 
-/// Any signs, and low parts of any size. [JMP] algorithm 5: those two roundings, then s' =
-/// Fast2Sum(s.high, b), b the low sum. It is exact where |s.high| >= |b| [D]. Else it loses u |b|,
-/// |b| <= u |s.high| + x |x| + y |y|, and nothing where |s'| < |b|/2 [S], so its low part is at
-/// most u |s'| + u |b| <= 3 u |s'|.
+/// Any signs, and low parts of any size. [JMP] algorithm 5: those two roundings, the second of
+/// s.low <= u |s.high| too, then s' = Fast2Sum(s.high, b), b the low sum. It is exact where
+/// |s.high| >= |b| [D]; else b is x |x| + y |y| and a bit, and it loses u |b| at most. s' - s.high
+/// goes to the nearest double, b is one, and the difference is as far from b as s' is from the
+/// sum, u |s'|. So the low part, which is what b lacks [S], is at most twice that.
 NumberType::Cancelling NumberType::cancelling_sum(double x, double y) const {
   if (!is_pair()) return {0, 0, u, 0};
-  return {3 * u * x * and_more, 3 * u * y * and_more, 2 * u * u * and_more, 3 * u * and_more};
+  return {3 * u * x * and_more, 3 * u * y * and_more, u * u * and_more, 2 * u * and_more};
 }
 
 /// After [JMP] algorithm 12, DWTimesDW3 (4 u^2): x.low y.low is dropped; x.low y.high + p.low loses

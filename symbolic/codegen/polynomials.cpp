@@ -159,7 +159,7 @@ std::string emit_polynomials() {
       "Wide: without over- and underflow, as MPFR's numbers are. Main is the case of arrays: set() "
       "takes a register's rows, or one, load_inputs() says which are in the case. Bounds: a row a "
       "tier, by its number.\n"
-      "template <class I, class O, class C = void>\nstruct Evaluator {\n"
+      "template <class I, class O, class C = void> struct Evaluator {\n"
       "  using Inputs = I;\n  using Outputs = O;\n  using Columns = C;\n};\n"
       "/// Of z - centre: its first coefficients in two parts, the others in one.\n"
       "template <int the_size, int the_pairs>\nstruct Polynomial {\n"

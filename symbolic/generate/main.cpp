@@ -6,7 +6,7 @@
 #include "generate/quantities.hpp"
 
 int main(int count, char** words) {
-  if (count != 2) {
+  if (count != 2 || words[1][0] == '-') {
     std::fputs("Usage: magicmass_generate FOLDER\n", stderr);
     return 2;
   }

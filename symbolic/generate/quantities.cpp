@@ -71,6 +71,7 @@ private:
   codegen::Words words;  // of the entry
   std::map<std::string, codegen::Words> lets;
   std::string form;  // of what is next
+  double most_in_float = codegen::infinity;
 
   codegen::Quantity& quantity() { return made.all.back().quantity; }
   Case& last() { return quantity().cases.back(); }
@@ -100,10 +101,11 @@ private:
   const std::map<std::string, std::function<void()>> entries{
       {"", [] {}},
       {"form:", [this] { form = text(); }},
+      {"float:", [this] { most_in_float = notation::read_double(words.at(0)).value(); }},
       {"let:", [this] { lets["$" + words.at(0)].assign(words.begin() + 1, words.end()); }},
       {"quantity:",
        [this] {
-         made.all.push_back({{text(), "", {}, {}, made.source.units}, form});
+         made.all.push_back({{text(), "", {}, {}, made.source.units}, form, most_in_float});
        }},
       {"labels:", [this] { quantity().labels = text(); }},
       {"arrays:", [this] { quantity().has_arrays = true; }},

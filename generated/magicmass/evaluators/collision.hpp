@@ -17,14 +17,11 @@ struct CollisionOutputs {
 };
 /// collision, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, j from 2 to 1125899906842624,
 ///   half_phase between -0x1.0624dd2f1a9fcp-10 and 0x1.921ff2e48e8a7p+0, next_cosine above 2^23
-///   times its error.
-/// Theorems: when_j = 1*inv(1)*(time_ratio_j*half_cosine_j*per_next_j); apart_j =
-///   1*(t_ratio_j*per_next_j).
-/// z <= 1/3, t^2 = z, t <= half_sine_j, 0 < next_sine_j, sine_ratio_j <= 1: by theorem
-/// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 4,
-///   reciprocal roots: 1, sines: 1, sums: 4, sums of doubles: 1.
-template <class Tier, class N>
-struct CollisionSmall {
+///   times its error. Theorems: when_j = 1*inv(1)*(time_ratio_j*half_cosine_j*per_next_j); apart_j
+///   = 1*(t_ratio_j*per_next_j). z <= 1/3, t^2 = z, t <= half_sine_j, 0 < next_sine_j, sine_ratio_j
+///   <= 1: by theorem. Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3,
+///   quotients: 4, reciprocal roots: 1, sines: 1, sums: 4, sums of doubles: 1.
+template <class Tier, class N> struct CollisionSmall {
   using T = typename N::Value;
   T alpha, j;
   typename N::Result doubt{}, when, apart;
@@ -32,7 +29,7 @@ struct CollisionSmall {
   static constexpr double bounds[4][6] = {
       {0x1.27ap-52, 0x1.c01p-102, 0x1.84p-50, 0x1.27ap-52, 0x1.1a1p-51, 0x1.27ap-29},
       {0x1.119p-74, 0x1.7bbp-146, 0x1.636p-72, 0x1.119p-74, 0x1.028p-73, 0x1.119p-51},
-      {0x1.ff7p-96, 0x1.794p-187, 0x1.948p-92, 0x1.ff7p-96, 0x1.d76p-94, 0x1.ff7p-73},
+      {0x1.ffp-96, 0x1.78ep-187, 0x1.90ep-92, 0x1.ffp-96, 0x1.d31p-94, 0x1.ffp-73},
       {0x1.035p+4, 0x1.97cp-170, 0x1.a58p+6, 0x1.035p+4, 0x1.5efp+5, 0x1.035p+27}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit CollisionSmall(const CollisionInputs& in) :
@@ -76,11 +73,9 @@ struct CollisionSmall {
     doubt = doubt + doubt_of_sign(next_cosine, N::magnitude_of(N::all(E[5])));
   }
 };
-/// collision, first: alpha from 0x1p-300 to 0x1p+300, j from 1 to 1.
-/// Theorems: when_1 = 1*inv(1)*((1 + alpha)/2); apart_1 = 1*((1 + alpha)/2).
-/// Operations: sums of doubles: 1.
-template <class Tier, class N>
-struct CollisionFirst {
+/// collision, first: alpha from 0x1p-300 to 0x1p+300, j from 1 to 1. Theorems: when_1 =
+///   1*inv(1)*((1 + alpha)/2); apart_1 = 1*((1 + alpha)/2). Operations: sums of doubles: 1.
+template <class Tier, class N> struct CollisionFirst {
   using T = typename N::Value;
   T alpha, j;
   typename N::Result doubt{}, when, apart;

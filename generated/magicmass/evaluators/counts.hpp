@@ -14,21 +14,19 @@ struct CountsInputs {
 struct CountsOutputs {
   std::int64_t N_A, N_B;
 };
-/// counts, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1.
-/// Theorems: N_A = ceil(pi/(2*h) - 1/2); N_B = ceil(pi/(2*h) - 1).
-/// z <= 1/3, t^2 = z: by theorem
-/// Operations: arctangents: 1, products by doubles: 3, quotients: 1, reciprocal roots: 1, roundings
-///   to whole numbers: 1, sums: 2, sums of doubles: 1.
-template <class Tier, class N>
-struct CountsSmall {
+/// counts, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1. Theorems: N_A = ceil(pi/(2*h) -
+///   1/2); N_B = ceil(pi/(2*h) - 1). z <= 1/3, t^2 = z: by theorem. Operations: arctangents: 1,
+///   products by doubles: 3, quotients: 1, reciprocal roots: 1, roundings to whole numbers: 1,
+///   sums: 2, sums of doubles: 1.
+template <class Tier, class N> struct CountsSmall {
   using T = typename N::Value;
   T alpha, N_A, N_B;
   typename N::Result doubt{};
   N half_h, t4, rest, to_next;
   static constexpr double bounds[4][4] = {
-      {0x1.801p-52, 0x1.f2dp-54, 0x1.801p-52, 0x1.8f1p-54},
-      {0x1.801p-52, 0x1.147p-75, 0x1.801p-52, 0x1.ba5p-76},
-      {0x1.801p-52, 0x1.54ap-98, 0x1.801p-52, 0x1.12dp-98},
+      {0x1.001p-52, 0x1.f2dp-54, 0x1.001p-52, 0x1.8f1p-54},
+      {0x1.001p-52, 0x1.147p-75, 0x1.001p-52, 0x1.ba5p-76},
+      {0x1.001p-52, 0x1.4e5p-98, 0x1.001p-52, 0x1.0f2p-98},
       {0x1.001p+0, 0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit CountsSmall(const CountsInputs& in) : alpha(N::all(in.alpha)) {}
@@ -60,11 +58,8 @@ struct CountsSmall {
     doubt = doubt + doubt_of_sign(rest, size_of(t4) * E[2] + E[3]);
   }
 };
-/// counts, first: alpha from 0x1p+0 to 0x1p+300.
-/// Theorems: N_A = 1; N_B = 1.
-/// Operations: none.
-template <class Tier, class N>
-struct CountsFirst {
+/// counts, first: alpha from 0x1p+0 to 0x1p+300. Theorems: N_A = 1; N_B = 1. Operations: none.
+template <class Tier, class N> struct CountsFirst {
   using T = typename N::Value;
   T alpha;
   typename N::Result doubt{};

@@ -14,16 +14,15 @@ struct DeficientInputs {
 struct DeficientOutputs {
   double beta_;
 };
-/// deficient, general: k from 1 to 1125899906842624.
-/// Theorems: beta_k = deficient_versed_k/deficient_cosine_k.
-/// Operations: products: 1, quotients: 2, sines: 1, sums: 1.
-template <class Tier, class N>
-struct DeficientGeneral {
+/// deficient, general: k from 1 to 1125899906842624. Theorems: beta_k =
+///   deficient_versed_k/deficient_cosine_k. Operations: products: 1, quotients: 2, sines: 1, sums:
+///   1.
+template <class Tier, class N> struct DeficientGeneral {
   using T = typename N::Value;
   T k;
   typename N::Result doubt{}, beta_;
   N deficient_sine, of_beta_;
-  static constexpr double bounds[4][1] = {{0x1.494p-54}, {0x1.cep-76}, {0x1.83bp-98}, {0x1.b75p+3}};
+  static constexpr double bounds[4][1] = {{0x1.494p-54}, {0x1.cep-76}, {0x1.67bp-98}, {0x1.b75p+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit DeficientGeneral(const DeficientInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] DeficientOutputs outputs() const { return {beta_}; }

@@ -14,16 +14,14 @@ struct MagicInputs {
 struct MagicOutputs {
   double alpha_;
 };
-/// magic, general: k from 2 to 1125899906842624.
-/// Theorems: alpha_k = magic_versed_k/magic_cosine_k.
-/// Operations: products: 1, quotients: 2, sines: 1, sums: 1, sums of doubles: 1.
-template <class Tier, class N>
-struct MagicGeneral {
+/// magic, general: k from 2 to 1125899906842624. Theorems: alpha_k = magic_versed_k/magic_cosine_k.
+///   Operations: products: 1, quotients: 2, sines: 1, sums: 1, sums of doubles: 1.
+template <class Tier, class N> struct MagicGeneral {
   using T = typename N::Value;
   T k;
   typename N::Result doubt{}, alpha_;
   N magic_sine, of_alpha_;
-  static constexpr double bounds[4][1] = {{0x1.232p-54}, {0x1.94ap-76}, {0x1.ae4p-98}, {0x1.84p+3}};
+  static constexpr double bounds[4][1] = {{0x1.232p-54}, {0x1.94ap-76}, {0x1.906p-98}, {0x1.84p+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit MagicGeneral(const MagicInputs& in) : k(N::whole(in.k)) {}
   [[gnu::always_inline]] MagicOutputs outputs() const { return {alpha_}; }

@@ -15,8 +15,7 @@ using arithmetic::load, arithmetic::rounded_by, arithmetic::Simd, arithmetic::Si
 ///   without over- and underflow, as MPFR's numbers are. Main is the case of arrays: set() takes a
 ///   register's rows, or one, load_inputs() says which are in the case. Bounds: a row a tier, by
 ///   its number.
-template <class I, class O, class C = void>
-struct Evaluator {
+template <class I, class O, class C = void> struct Evaluator {
   using Inputs = I;
   using Outputs = O;
   using Columns = C;

@@ -22,23 +22,21 @@ struct RestitutionOutputs {
 ///   z_e between 0x1p-48 and 0x1.5555555555556p-2, left_e between 0x0p+0 and 0x1.0c1bda5119cep+0,
 ///   next_e between 0x0p+0 and 0x1.0c1bda5119cep+0, last_reach_e between 0x0p+0 and 0x1p+29,
 ///   open_reach_e between 0x0p+0 and 0x1p+29, kept_e between -0x1p+0 and 0x1p+3, parted_e between
-///   -0x1p+0 and 0x1p+3.
-/// Theorems: N_e = ceil(pi/step_e) - 1; a_end = 1*(w_B*taken_e - speeds_e); b_end =
-///   1*(w_B*taken_e); c_end = 1*(w_B*taken_e - second_e); rho_end = w_B*taken_e^2.
-/// t_e^2 = z_e: by theorem
-/// Operations: arctangents: 1, powers: 1, products: 14, products by doubles: 14, quotients: 8,
-///   reciprocal roots: 3, roundings to whole numbers: 1, sines: 2, sums: 17, sums of doubles: 3.
-template <class Tier, class N>
-struct RestitutionGeneral {
+///   -0x1p+0 and 0x1p+3. Theorems: N_e = ceil(pi/step_e) - 1; a_end = 1*(w_B*taken_e - speeds_e);
+///   b_end = 1*(w_B*taken_e); c_end = 1*(w_B*taken_e - second_e); rho_end = w_B*taken_e^2. t_e^2 =
+///   z_e: by theorem. Operations: arctangents: 1, powers: 1, products: 14, products by doubles: 14,
+///   quotients: 8, reciprocal roots: 3, roundings to whole numbers: 1, sines: 2, sums: 17, sums of
+///   doubles: 3.
+template <class Tier, class N> struct RestitutionGeneral {
   using T = typename N::Value;
   T M_C, w_B, e, N_e, t32, t33;
   typename N::Result doubt{}, a_end, b_end, c_end, rho_end;
   N all_e, side_e, root_e, loss_e, share_e, z_e, t20, sine_e, t26, distance, to_next, span_e,
       left_e, next_e, power_e, last_reach_e, open_reach_e, last_sine_e, open_sine_e, t37;
   static constexpr double bounds[4][4] = {
-      {0x1.801p-52, 0x1.5abp-51, 0x1.801p-52, 0x1.2f6p-51},
-      {0x1.801p-52, 0x1.fe8p-67, 0x1.801p-52, 0x1.bebp-67},
-      {0x1.801p-52, 0x1.f74p-67, 0x1.801p-52, 0x1.b86p-67},
+      {0x1.001p-52, 0x1.552p-51, 0x1.001p-52, 0x1.2a7p-51},
+      {0x1.001p-52, 0x1.f79p-67, 0x1.001p-52, 0x1.b8ap-67},
+      {0x1.001p-52, 0x1.f07p-67, 0x1.001p-52, 0x1.b27p-67},
       {0x1.001p+0, 0x1.148p+86, 0x1.001p+0, 0x1.e3dp+85}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit RestitutionGeneral(const RestitutionInputs& in) :

@@ -30,27 +30,25 @@ struct TerminalColumns {
     store(rho + row, out.rho);
   }
 };
-/// terminal, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1.
-/// Theorems: N_A = ceil(pi/(2*h) - 1/2); N_B = ceil(pi/(2*h) - 1); a_t = 1*(-t_minus*t_plus); b_t =
-///   1*b_form; c_t = 1*(2*t_minus*w_cosine); rho = (b_t*inv(1))^2.
-/// z <= 1/3, t^2 = z, t_cosine <= w_cosine: by theorem
-/// rest_sine <= t_cosine: by theorem; and: rest < h/2 is tested of computed values, and both are of
-///   the computed rest
-/// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 1,
-///   reciprocal roots: 1, roundings to whole numbers: 1, sines: 1, sums: 5, sums of doubles: 1.
-template <class Tier, class N>
-struct TerminalSmall {
+/// terminal, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1. Theorems: N_A = ceil(pi/(2*h) -
+///   1/2); N_B = ceil(pi/(2*h) - 1); a_t = 1*(-t_minus*t_plus); b_t = 1*b_form; c_t =
+///   1*(2*t_minus*w_cosine); rho = (b_t*inv(1))^2. z <= 1/3, t^2 = z, t_cosine <= w_cosine: by
+///   theorem. rest_sine <= t_cosine: by theorem; and: rest < h/2 is tested of computed values, and
+///   both are of the computed rest. Operations: arctangents: 1, cosines: 1, products: 6, products
+///   by doubles: 3, quotients: 1, reciprocal roots: 1, roundings to whole numbers: 1, sines: 1,
+///   sums: 5, sums of doubles: 1.
+template <class Tier, class N> struct TerminalSmall {
   using T = typename N::Value;
   T alpha, N_A, N_B;
   typename N::Result doubt{}, a_t, b_t, c_t, rho;
   N w, t, half_h, t4, rest, to_next, rest_sine, rest_cosine;
   static constexpr double bounds[4][12] = {
-      {0x1.2ap-52, 0x1.5adp-106, 0x1.e08p-53, 0x1.c94p-53, 0x1.6f5p-52, 0x1.e08p-51, 0x1.c94p-51,
-          0x1.985p-105, 0x1.801p-52, 0x1.f2dp-54, 0x1.801p-52, 0x1.8f1p-54},
-      {0x1.516p-74, 0x1.bcap-150, 0x1.053p-74, 0x1.06p-74, 0x1.9cdp-74, 0x1.053p-72, 0x1.06p-72,
-          0x1.0c2p-148, 0x1.801p-52, 0x1.147p-75, 0x1.801p-52, 0x1.ba5p-76},
-      {0x1.e4p-97, 0x1.a5bp-195, 0x1.53dp-96, 0x1.2a4p-97, 0x1.425p-96, 0x1.d1ap-94, 0x1.2a4p-95,
-          0x1.5b6p-194, 0x1.801p-52, 0x1.54ap-98, 0x1.801p-52, 0x1.12dp-98},
+      {0x1.29ap-52, 0x1.5ap-106, 0x1.e06p-53, 0x1.c89p-53, 0x1.6efp-52, 0x1.e06p-51, 0x1.c89p-51,
+          0x1.971p-105, 0x1.001p-52, 0x1.f2dp-54, 0x1.001p-52, 0x1.8f1p-54},
+      {0x1.515p-74, 0x1.bc6p-150, 0x1.053p-74, 0x1.05fp-74, 0x1.9cbp-74, 0x1.053p-72, 0x1.05fp-72,
+          0x1.0bfp-148, 0x1.001p-52, 0x1.147p-75, 0x1.001p-52, 0x1.ba5p-76},
+      {0x1.d29p-97, 0x1.8e8p-195, 0x1.47fp-96, 0x1.235p-97, 0x1.353p-96, 0x1.be7p-94, 0x1.235p-95,
+          0x1.4b8p-194, 0x1.001p-52, 0x1.4e5p-98, 0x1.001p-52, 0x1.0f2p-98},
       {0x1.a14p+5, 0x1.451p-171, 0x1.e73p+5, 0x1.0b6p+5, 0x1.125p+6, 0x1.e73p+7, 0x1.0b6p+7,
           0x1.173p-170, 0x1.001p+0, 0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3}};
   static constexpr const double* E = bounds[Tier::number];
@@ -109,12 +107,11 @@ struct TerminalSmall {
     doubt = doubt + doubt_of_sign(rest, size_of(t4) * E[10] + E[11]);
   }
 };
-/// terminal, first: alpha from 0x1p+0 to 0x1p+300.
-/// Theorems: N_A = 1; N_B = 1; a_t = 1*(lead*per_mass); b_t = 1*(4*share*per_mass); c_t =
-///   1*(-2*lead*per_mass^2); rho = (b_t*inv(1))^2.
-/// Operations: products: 5, products by doubles: 1, quotients: 1, sums of doubles: 2.
-template <class Tier, class N>
-struct TerminalFirst {
+/// terminal, first: alpha from 0x1p+0 to 0x1p+300. Theorems: N_A = 1; N_B = 1; a_t =
+///   1*(lead*per_mass); b_t = 1*(4*share*per_mass); c_t = 1*(-2*lead*per_mass^2); rho =
+///   (b_t*inv(1))^2. Operations: products: 5, products by doubles: 1, quotients: 1, sums of
+///   doubles: 2.
+template <class Tier, class N> struct TerminalFirst {
   using T = typename N::Value;
   T alpha;
   typename N::Result doubt{}, a_t, b_t, c_t, rho;
@@ -152,8 +149,7 @@ struct TerminalFirst {
   }
 };
 struct Terminal : Evaluator<TerminalInputs, TerminalOutputs, TerminalColumns> {
-  template <class Tier, class N>
-  using Main = TerminalSmall<Tier, N>;
+  template <class Tier, class N> using Main = TerminalSmall<Tier, N>;
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.alpha <=

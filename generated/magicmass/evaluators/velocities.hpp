@@ -30,14 +30,12 @@ struct VelocitiesColumns {
   }
 };
 /// velocities, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, n from 0 to 1125899906842624,
-///   phase between -0x1.0624dd2f1a9fcp-10 and 0x1.0c189374bc6a8p+1.
-/// Theorems: a_n = 1*(plus_n*minus_n); b_n = 1*(2*along_n*t_sine_n); c_n = 1*(2*plus_n*w_sine_n);
-///   c'_n = 1*(-2*minus_n*w_sine_n).
-/// z <= 1/3, t^2 = z, t_sine_n <= w_sine_n: by theorem
-/// Operations: arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 1,
-///   reciprocal roots: 1, sines: 1, sums: 3, sums of doubles: 1.
-template <class Tier, class N>
-struct VelocitiesSmall {
+///   phase between -0x1.0624dd2f1a9fcp-10 and 0x1.0c189374bc6a8p+1. Theorems: a_n =
+///   1*(plus_n*minus_n); b_n = 1*(2*along_n*t_sine_n); c_n = 1*(2*plus_n*w_sine_n); c'_n =
+///   1*(-2*minus_n*w_sine_n). z <= 1/3, t^2 = z, t_sine_n <= w_sine_n: by theorem. Operations:
+///   arctangents: 1, cosines: 1, products: 6, products by doubles: 3, quotients: 1, reciprocal
+///   roots: 1, sines: 1, sums: 3, sums of doubles: 1.
+template <class Tier, class N> struct VelocitiesSmall {
   using T = typename N::Value;
   T alpha, n, t2;
   typename N::Result doubt{}, a, b, c, c_prime;
@@ -45,7 +43,7 @@ struct VelocitiesSmall {
   static constexpr double bounds[4][7] = {
       {0x1.466p-52, 0x1.466p-52, 0x1.ap-104, 0x1.685p-51, 0x1.928p-51, 0x1.314p-50, 0x1.044p-50},
       {0x1.339p-74, 0x1.339p-74, 0x1.719p-148, 0x1.4acp-73, 0x1.798p-73, 0x1.1c4p-72, 0x1.e5cp-73},
-      {0x1.0cp-95, 0x1.086p-95, 0x1.11p-190, 0x1.39fp-94, 0x1.54ap-94, 0x1.021p-93, 0x1.b45p-94},
+      {0x1.0a7p-95, 0x1.083p-95, 0x1.109p-190, 0x1.348p-94, 0x1.4f3p-94, 0x1.fbbp-94, 0x1.ae8p-94},
       {0x1.596p+4, 0x1.36ep+4, 0x1.798p-172, 0x1.819p+5, 0x1.986p+5, 0x1.338p+6, 0x1.035p+6}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit VelocitiesSmall(const VelocitiesInputs& in) :
@@ -93,12 +91,11 @@ struct VelocitiesSmall {
     doubt = doubt + doubt_of_range(phase, -0x1.0624dd2f1a9fcp-10, 0x1.0c189374bc6a8p+1);
   }
 };
-/// velocities, first: alpha from 0x1p+0 to 0x1p+300, n from 1 to 1.
-/// Theorems: a_1 = 1*(lead*per_mass); b_1 = 1*(4*share*per_mass); c_1 = 1*(2*per_mass); c'_1 =
-///   1*(-2*lead*per_mass^2).
-/// Operations: products: 4, products by doubles: 1, quotients: 1, sums of doubles: 2.
-template <class Tier, class N>
-struct VelocitiesFirst {
+/// velocities, first: alpha from 0x1p+0 to 0x1p+300, n from 1 to 1. Theorems: a_1 =
+///   1*(lead*per_mass); b_1 = 1*(4*share*per_mass); c_1 = 1*(2*per_mass); c'_1 =
+///   1*(-2*lead*per_mass^2). Operations: products: 4, products by doubles: 1, quotients: 1, sums of
+///   doubles: 2.
+template <class Tier, class N> struct VelocitiesFirst {
   using T = typename N::Value;
   T alpha, n;
   typename N::Result doubt{}, a, b, c, c_prime;
@@ -135,8 +132,7 @@ struct VelocitiesFirst {
   }
 };
 struct Velocities : Evaluator<VelocitiesInputs, VelocitiesOutputs, VelocitiesColumns> {
-  template <class Tier, class N>
-  using Main = VelocitiesSmall<Tier, N>;
+  template <class Tier, class N> using Main = VelocitiesSmall<Tier, N>;
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.alpha >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-300) && in.alpha <=

@@ -14,8 +14,7 @@
 
 namespace magicmass::generated {
 /// T at 2n and at 2n + 1, by doubling the index.
-template <class Number>
-std::pair<Number, Number> T_doubled(const Number& alpha, std::int64_t n) {
+template <class Number> std::pair<Number, Number> T_doubled(const Number& alpha, std::int64_t n) {
   const Number first = Number(1) / (Number(1) + alpha);  // T_1 = 1/(1 + alpha)
   Number low = Number(1);  // T_0 = 1
   Number high = first;
@@ -32,23 +31,20 @@ std::pair<Number, Number> T_doubled(const Number& alpha, std::int64_t n) {
   }
   return {low, high};
 }
-template <class Number>
-struct VelocitiesExact {
+template <class Number> struct VelocitiesExact {
   Number a, b, c, c_prime;
 };
 /// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha > 0,
-///   n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904.
-/// Theorems: cycle.start_vector, cycle.c_start, power.V_CM, exact.b_before, exact.a, exact.b,
-///   exact.c, exact.c_prime. Operations: none; or products: 6, quotients: 3, sums: 9, and those of
-///   the calls.
+///   n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904. Theorems: cycle.start_vector,
+///   c_start, power.V_CM, exact.b_before, a, b, c, c_prime. Operations: none; or products: 6,
+///   quotients: 3, sums: 9, and those of the calls.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   if (n >= 0 && n <= 0) {
     return {Number(1), Number(0), Number(0), Number(0)};
   }
   if (!(n >= 1 && n <= 4611686018427387904))
-    throw std::domain_error("velocities_exact: "
-        "allowed: alpha > 0, n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904");
+    throw std::domain_error("velocities_exact: outside of the domain that its comment states");
   const std::pair<Number, Number> T_at_n = T_doubled(alpha, n);
   const Number V_CM = Number(1) / (Number(2) + alpha);  // V_CM = 1*(1/(2 + alpha))
   const Number t4 = Number(1) + alpha;  // for b_before, a, b
@@ -62,13 +58,12 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   const Number c_prime = (t10 - b) / alpha;  // c'_n = (1 - a_n - b_n)/alpha
   return {a, b, c, c_prime};
 }
-template <class Number>
-struct TerminalExact {
+template <class Number> struct TerminalExact {
   Number a_t, b_t, c_t, rho;
 };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain:
 ///   alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904.
-/// Theorems: power.V_CM, exact.a_t, exact.b_t, terminal.definitions, evaluators_end.def_rho.
+///   Theorems: power.V_CM, exact.a_t, b_t, terminal.definitions, evaluators_end.def_rho.
 ///   Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std::int64_t N_B) {
@@ -86,12 +81,11 @@ TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std:
   const Number rho = b_t * b_t;  // rho = (b_t*inv(1))^2
   return {a_t, b_t, c_t, rho};
 }
-template <class Number>
-struct ShapeExact {
+template <class Number> struct ShapeExact {
   Number K, q_e;
 };
-/// shape: K, q_e. Domain: M_A > 0, w_B >= 0, M_C > 0, e > 0.
-/// Theorems: collapse.def_K, bodies.def_q_e. Operations: products: 3, quotients: 4, sums: 4.
+/// shape: K, q_e. Domain: M_A > 0, w_B >= 0, M_C > 0, e > 0. Theorems: collapse.def_K,
+///   bodies.def_q_e. Operations: products: 3, quotients: 4, sums: 4.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e) {
@@ -101,17 +95,13 @@ ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Numbe
   const Number q_e = Number(1) - K;  // q_e = 1 - K
   return {K, q_e};
 }
-template <class Number>
-struct TwoCollisionsExact {
+template <class Number> struct TwoCollisionsExact {
   Number ends, two, four, six, a_two, b_two, c_two, rho_two;
 };
 /// two_collisions (eq:a-terminal eq:b-terminal eq:ct): ends, two, four, six, a_two, b_two, c_two,
-///   rho_two. Domain: M_C > 0, w_B >= 0, e > 0.
-/// Theorems: evaluators_restitution.def_taken_two, evaluators_restitution.def_ends,
-///   evaluators_restitution.def_two, evaluators_restitution.def_four,
-///   evaluators_restitution.def_six, evaluators_restitution.a_two, evaluators_restitution.b_two,
-///   evaluators_restitution.c_two, evaluators_restitution.def_rho_two. Operations: products: 16,
-///   quotients: 5, sums: 9.
+///   rho_two. Domain: M_C > 0, w_B >= 0, e > 0. Theorems: evaluators_restitution.def_taken_two,
+///   def_ends, def_two, def_four, def_six, a_two, b_two, c_two, def_rho_two. Operations: products:
+///   16, quotients: 5, sums: 9.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number& w_B, const Number&
     e) {

@@ -13,19 +13,17 @@
 #include <stdexcept>
 
 namespace magicmass::generated {
-template <class Number>
-struct AngleRestitution {
+using std::atan, std::ceil, std::sin, std::sqrt;
+template <class Number> struct AngleRestitution {
   Number h_e, step_sine;
 };
 /// angle: h_e, step_sine. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
 ///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0.
-/// Theorems: wedge.r_A, wedge.r_B, wedge.kappa, bodies.h_e, bodies.def_step_sine. Operations:
-///   arctangents: 1, products: 3, quotients: 5, roots: 4, sines: 1, sums: 3.
-template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f
+///   0x1p+0. Theorems: wedge.r_A, r_B, kappa, bodies.h_e, def_step_sine. Operations: arctangents:
+///   1, products: 3, quotients: 5, roots: 4, sines: 1, sums: 3.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e) {
-  using std::atan, std::sin, std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0)))
@@ -38,22 +36,20 @@ AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B,
   const Number step_sine = sin(h_e);  // step_sine = sin(h_e)
   return {h_e, step_sine};
 }
-template <class Number>
-struct CountRestitution {
+template <class Number> struct CountRestitution {
   Number N_any;
 };
 /// count: N_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
 ///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
 ///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, step_sine(M_A, w_B, M_C, e) from
-///   0x1p-128 to 0x1p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32.
-/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.phase_e, bodies.N_any.
-///   Operations: arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sums: 8.
-/// Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_any.
-template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f
+///   0x1p-128 to 0x1p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32. Theorems:
+///   wedge.r_A, r_B, any_start.def_r_e, wedge.kappa, bodies.phase_e, N_any. Operations:
+///   arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sums: 8. Ceilings of
+///   rounded numbers, maybe off by one at thresholds and by more above 2^50: N_any.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& step_sine, const Number& V,
     const Number& W) {
-  using std::atan, std::ceil, std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
@@ -74,20 +70,18 @@ CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B,
   const Number N_any = ceil((Number(4) * atan(Number(1)) - phase_e) / h_e + Number(1)) - Number(1);
   return {N_any};
 }
-template <class Number>
-struct SinesRestitution {
+template <class Number> struct SinesRestitution {
   Number now, last;
 };
 /// sines: now, last. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
 ///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
 ///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, step_sine(M_A, w_B, M_C, e) from
-///   0x1p-128 to 0x1p+0, j from 0 to 4611686018427387904.
-/// Theorems: bodies.now_sine, bodies.last_sine. Operations: products: 2, sines: 2, sums: 1.
-template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f
+///   0x1p-128 to 0x1p+0, j from 0 to 4611686018427387904. Theorems: bodies.now_sine, last_sine.
+///   Operations: products: 2, sines: 2, sums: 1.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 SinesRestitution<Number> sines_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& step_sine, std::int64_t j)
     {
-  using std::sin;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(0x1p-128) && q_e <= Number(0x1p+0) &&
@@ -98,20 +92,17 @@ SinesRestitution<Number> sines_restitution(const Number& M_A, const Number& w_B,
   const Number last = sin(Number(j) * h_e);  // last_j(step_sine) = sin(j*h_e)
   return {now, last};
 }
-template <class Number>
-struct RiseRestitution {
+template <class Number> struct RiseRestitution {
   Number last, now;
 };
 /// rise: last, now. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
 ///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from -0x1p+128 to
 ///   -0x1p-128, y_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, j from 0 to 4611686018427387904,
-///   pow(y_e, j) from 0x1p-128 to 0x1p+0.
-/// Theorems: bodies.last_rise, bodies.now_rise. Operations: products: 2, quotients: 2, roots: 1,
-///   sums: 2.
-template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f
+///   pow(y_e, j) from 0x1p-128 to 0x1p+0. Theorems: bodies.last_rise, now_rise. Operations:
+///   products: 2, quotients: 2, roots: 1, sums: 2.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 RiseRestitution<Number> rise_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& y_e, std::int64_t j, const Number& pow) {
-  using std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+128) && q_e <=
@@ -123,15 +114,14 @@ RiseRestitution<Number> rise_restitution(const Number& M_A, const Number& w_B, c
   const Number now = Number(1) + y_e * last;  // now_j(pow_j(y_e)) = 1 + y_e*last_j(pow_j(y_e))
   return {last, now};
 }
-template <class Number>
-struct EvenRestitution {
+template <class Number> struct EvenRestitution {
   Number last, now;
 };
 /// even: last, now. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
 ///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x0p+0 to 0x0p+0,
-///   unit from 0x1p+0 to 0x1p+0, j from 0 to 4611686018427387904.
-/// Theorems: bodies.last_step, bodies.now_step. Operations: sums: 1.
-template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f
+///   unit from 0x1p+0 to 0x1p+0, j from 0 to 4611686018427387904. Theorems: bodies.last_step,
+///   now_step. Operations: sums: 1.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 EvenRestitution<Number> even_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& unit, std::int64_t j) {
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
@@ -142,8 +132,7 @@ EvenRestitution<Number> even_restitution(const Number& M_A, const Number& w_B, c
   const Number now = Number(j) + Number(1);  // now_j(1) = j + 1
   return {Number(j), now};
 }
-template <class Number>
-struct AtRestitution {
+template <class Number> struct AtRestitution {
   Number B_at, A_at, C_at;
 };
 /// at: B_at, A_at, C_at. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
@@ -152,16 +141,14 @@ struct AtRestitution {
 ///   M_C, e, unit, j) from -0x1p+0 to 0x1p+64, per_unit(M_A, w_B, M_C, e, unit, j) from 0x0p+0 to
 ///   0x1p+64, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32,
 ///   d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0 to 0x1p+32, turn(j) from -0x1p+0 to 0x1p+0,
-///   now_side between 0x1p-128 and 0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.def_now_side,
-///   bodies.def_later_side, bodies.before, bodies.after, bodies.B_at, bodies.A_at, bodies.C_at.
-///   Operations: products: 29, quotients: 14, roots: 3, sums: 21.
-template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f
+///   now_side between 0x1p-128 and 0x1p+128. Theorems: wedge.r_A, r_B, any_start.def_r_e,
+///   wedge.kappa, bodies.def_now_side, def_later_side, before, after, B_at, A_at, C_at. Operations:
+///   products: 29, quotients: 14, roots: 3, sums: 21.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e, const Number& unit, std::int64_t j, const Number& now, const Number& last, const
     Number& per_unit, const Number& V, const Number& W, const Number& d_A, const Number& d_B, const
     Number& tau, const Number& turn) {
-  using std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && unit >= Number(0x1p-128) && unit <= Number(0x1p+1)
@@ -208,11 +195,10 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
   // C_at_j(tau) = B_at_j(tau) + ((1 + turn_j)*after_j(tau)/2 - (1 - turn_j)*(e*before_j(tau))/2)
   const Number C_at = B_at + t50;
   if (!(now_side > Number(0x1p-128) && now_side < Number(0x1p+128)))
-    throw std::domain_error("at_restitution: now_side must be between 0x1p-128 and 0x1p+128");
+    throw std::domain_error("at_restitution: now_side must be in (0x1p-128, 0x1p+128)");
   return {B_at, A_at, C_at};
 }
-template <class Number>
-struct TimeRestitution {
+template <class Number> struct TimeRestitution {
   Number reach, moment;
 };
 /// time: reach, moment. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
@@ -220,14 +206,12 @@ struct TimeRestitution {
 ///   to 4611686018427387904, now(M_A, w_B, M_C, e, unit, j) from -0x1p+0 to 0x1p+64, last(M_A, w_B,
 ///   M_C, e, unit, j) from -0x1p+0 to 0x1p+64, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to
 ///   0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, reach between 0x1p-128 and
-///   0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, bodies.def_reach, bodies.moment. Operations:
+///   0x1p+128. Theorems: wedge.r_A, r_B, any_start.def_r_e, bodies.def_reach, moment. Operations:
 ///   products: 7, quotients: 5, roots: 3, sums: 4.
-template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f
+template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& unit, std::int64_t j, const Number& now, const Number& last,
     const Number& V, const Number& W, const Number& d_A, const Number& d_B) {
-  using std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && unit >= Number(0x1p-128) && unit <= Number(0x1p+1)
@@ -244,25 +228,22 @@ TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, c
   // moment_j = (d_A*now_j(unit) + d_B*r_e*last_j(unit))/reach_j(unit)
   const Number moment = (d_A * now + d_B * r_e * last) / reach;
   if (!(reach > Number(0x1p-128) && reach < Number(0x1p+128)))
-    throw std::domain_error("time_restitution: reach must be between 0x1p-128 and 0x1p+128");
+    throw std::domain_error("time_restitution: reach must be in (0x1p-128, 0x1p+128)");
   return {reach, moment};
 }
-template <class Number>
-struct CollapseRestitution {
+template <class Number> struct CollapseRestitution {
   Number y_e, end_speed, t_any, x_any, v_any;
 };
 /// collapse: y_e, end_speed, t_any, x_any, v_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from
 ///   0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B,
 ///   M_C, e) from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A
 ///   from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
-/// Theorems: wedge.r_A, wedge.r_B, any_start.def_r_e, wedge.kappa, bodies.y_e, bodies.end_speed,
-///   bodies.t_any, bodies.x_any, bodies.v_any. Operations: products: 16, quotients: 9, roots: 4,
-///   sums: 13.
-template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // 1.0, not 1, 1.0f
+///   Theorems: wedge.r_A, r_B, any_start.def_r_e, wedge.kappa, bodies.y_e, end_speed, t_any, x_any,
+///   v_any. Operations: products: 16, quotients: 9, roots: 4, sums: 13.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
     M_C, const Number& e, const Number& q_e, const Number& V, const Number& W, const Number& d_A,
     const Number& d_B) {
-  using std::sqrt;
   if (!(M_A >= Number(0x1p-128) && M_A <= Number(0x1p+128) && w_B >= Number(0x0p+0) && w_B <=
       Number(0x1p+128) && M_C >= Number(0x1p-128) && M_C <= Number(0x1p+128) && e >=
       Number(0x1p-128) && e <= Number(0x1p+0) && q_e >= Number(-0x1p+128) && q_e <= Number(0x0p+0)
@@ -288,8 +269,7 @@ CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number
   // v_any = w_B*(M_A*(V + W) + M_C*W)/(1 + w_B*(M_A + M_C))
   const Number v_any = w_B * (M_A * t18 + M_C * W) / t29;
   if (!(end_speed > Number(0x1p-128) && end_speed < Number(0x1p+128)))
-    throw std::domain_error("collapse_restitution: "
-        "end_speed must be between 0x1p-128 and 0x1p+128");
+    throw std::domain_error("collapse_restitution: end_speed must be in (0x1p-128, 0x1p+128)");
   return {y_e, end_speed, t_any, x_any, v_any};
 }
 }  // namespace magicmass::generated

@@ -83,9 +83,8 @@ Ball ball_of(const Value& value) {
   const auto& [is_magic, number] = *value.ratio;
   const std::int64_t k = cln::cl_I_to_long(number);
   if (k > std::int64_t(1) << 50U) throw Undecided(value.text + " is answered here up to k = 2^50");
-  return ball_of(value.number) + value.sign * (is_magic
-                                                   ? generated::magic_closed<Ball>(k).alpha_
-                                                   : generated::deficient_closed<Ball>(k).beta_);
+  const auto [alpha_k, beta_k] = generated::ratios_closed<Ball>(k);
+  return ball_of(value.number) + value.sign * (is_magic ? alpha_k : beta_k);
 }
 
 /// No ratio that is kept as one is a surd.

@@ -82,7 +82,8 @@ private:
     // Which sum is taken is not known here: where signs are alike, the better of both.
     if ((x.x.low() >= 0 && y.x.low() >= 0) || (x.x.high() <= 0 && y.x.high() <= 0))
       return pair(exactly, {std::min(low.size, 3 * u * size), low.off});
-    return pair(exactly, {3 * u * size, low.off + u * low.size});  // fast_two_sum, or Sterbenz
+    // fast_two_sum loses something only where the high parts' sum is below that of the low ones.
+    return pair(exactly, {2 * u * size, low.off + u * (x.low.size + y.low.size)});
   }
   static Value times(const Value& x, const Value& y) {
     const Ball product = x.exact && y.exact ? Ball(cl_RA(x.x.low() * y.x.low())) : x.x * y.x;

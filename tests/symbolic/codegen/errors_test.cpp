@@ -81,8 +81,8 @@ TEST_CASE("a constant's own loss counts, as does a divisor's error where the res
   const int x = of.plus(of.square, -1);  // from 0 on
   const double low = 1023 * u;
   const double of_y = of.bound(y) / of.most(y) - slow.rounding_test(low);
-  const double of_x = of.bound(x) - slow.rounding_test(3 * u) * of.most(x);
-  const codegen::Loss loss = slow.quotient(3 * u, low);
+  const double of_x = of.bound(x) - slow.rounding_test(2 * u) * of.most(x);
+  const codegen::Loss loss = slow.quotient(2 * u, low);
   const int q = of.quotient(x, y);
   check_is(of.bound(q), of_x + (of_y + loss.loss + slow.rounding_test(loss.loose)) * of.most(q));
 }

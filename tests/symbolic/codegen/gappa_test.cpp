@@ -3,8 +3,8 @@
 // how large a low part is left, and refuses half of each. High parts are scaled to 1, low parts are
 // x and y of them; d1, d2, ... are the roundings of the operations in their order, at most u. That
 // two_sum and two_product are exact, and that 1/sqrt(1 - e) - 1 - e/2 is at most 3/8 e^2 and a
-// little, is said, not proved; likewise how large a low part a sum of any signs leaves (Sterbenz).
-// A polynomial is proved step by step; functions are sequences of these operations.
+// little, is said, not proved; likewise how large a low part a sum of any signs leaves, and what
+// then counts. A polynomial is proved step by step; functions are sequences of these operations.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
@@ -47,8 +47,8 @@ std::vector<Operation> operations(double l) {
        "d1 + d2 + d3"},
       {"cancelling_sum, of the result",
        {any.of_result, 0},
-       "e = d2 + d3; off = c * ((1 + d2) * (1 + d3) - 1); low = x * 0;",
-       "d2 + d3"},
+       "e = d2 * c; off = 1 * e; low = x * 0;",
+       "d2 * c"},
       {"product", t.product(l, l),
        "v = (x + c) * (1 + d1); w = (y + v) * (1 + d2); e = (1 - c + w) - (1 + x) * (1 + y);"
        "off = e / ((1 + x) * (1 + y)); low = w / (1 - c);",

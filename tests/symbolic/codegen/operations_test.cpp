@@ -238,18 +238,27 @@ TEST_CASE("sums, products, quotients and roots lose what the table allows, and n
     };
     for (const Entry& e : entries) check({e}, 500);
     if (l > u) continue;
-    // Of the sum that cancels, low parts are rounded twice, not three times. Half of its other two
-    // entries would do: they allow twice and three times what can happen.
-    const std::vector<Entry> less{{"x less y", 3, 4, 64 * l, l, cancelling(64 * l, l),
-                                   [](D x, D y) { return cancelling_sum(x, scaled(-y, 0.25)); },
-                                   [](const cl_RA& x, const cl_RA& y) { return x - y / 4; }},
-                                  {"y less x", 3, 4, l, 64 * l, cancelling(l, 64 * l),
-                                   [](D x, D y) { return cancelling_sum(scaled(-x, 0.25), y); },
-                                   [](const cl_RA& x, const cl_RA& y) { return y - x / 4; }}};
+    const auto x_less_y = [](D x, D y) { return cancelling_sum(x, scaled(-y, 0.25)); };
+    const auto rest = [](const cl_RA& x, const cl_RA& y) { return x - y / 4; };
+    // Of low parts that are large, or so small that the high parts' sum alone is rounded.
+    const std::vector<Entry> less{
+        {"x less y", 3, 4, 64 * l, l, cancelling(64 * l, l), x_less_y, rest},
+        {"x less y, high", 3, 4, l * l, l * l, cancelling(l * l, l * l), x_less_y, rest},
+        {"y less x", 3, 4, l, 64 * l, cancelling(l, 64 * l),
+         [=](D x, D y) { return x_less_y(y, x); },
+         [=](const cl_RA& x, const cl_RA& y) { return rest(y, x); }}};
     for (const Entry& e : less) check({e}, 500, {0.5, 0.3});
     check({{"what cancels", 1, 1 + 128 * u, 64 * l, l, cancelling(64 * l, l),
             [](D x, D y) { return cancelling_sum(x, -y); }, std::minus<>(), true}},
           2000, {0.3, 0.3});
+    // A tie that goes up, and what is left of it another: the low part is twice a rounding.
+    const D low_above_high{u, 1 + 2 * u};
+    const auto allowed = cancelling(1 / u + 2, 0);
+    check({{"a low part above a high one", 1, 1, 0, 0,
+            [=](double, double, double w) { return allowed(u, 0, w); },
+            [=](D, D) { return cancelling_sum(low_above_high, D{}); },
+            [=](const cl_RA&, const cl_RA&) { return value(low_above_high); }}},
+          1, {0.3, 0.5});
   }
 }
 TEST_CASE("functions of each tier lose what the table allows, and not half of it") {
