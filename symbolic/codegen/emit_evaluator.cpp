@@ -230,7 +230,9 @@ std::string condition(const Quantity& q, const Case& c) {
   return joined(parts, " && ");
 }
 std::string structure(const std::string& name, const Words& members) {
-  return "struct " + name + " {\n" + joined(members, "\n") + "\n};\n";
+  const std::string all = joined(members, "\n");
+  return "struct " + name + " {" +
+         (members.size() == 1 ? all.substr(1) + " };\n" : "\n" + all + "\n};\n");
 }
 /// In their order, as many as stand beside each other on a line.
 Words members(const std::vector<Output>& all, const std::string& before, const std::string& star) {

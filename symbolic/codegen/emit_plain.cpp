@@ -30,9 +30,13 @@ std::string guard(const PlainForm& f, const Case& c) {
   }
   return joined(parts, " && ");
 }
-/// The exception where that does not hold.
-std::string unless(const std::string& condition, const std::string& what) {
-  return "  if (!(" + condition + "))\n    throw std::domain_error(\"" + what + "\");\n";
+/// The exception where that does not hold; what takes more than a line is in the comment alone.
+std::string unless(const std::string& condition, const std::string& start, std::string end) {
+  const std::string thrown = "    throw std::domain_error(\"" + start, next = "\"\n        \"";
+  const auto has_room = [&](std::size_t before) { return before + end.size() + 3 <= columns; };
+  if (!has_room(9)) end = "what its comment says";
+  return "  if (!(" + condition + "))\n" + thrown + (has_room(thrown.size()) ? "" : next) + end +
+         "\");\n";
 }
 std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg(0).name()); }
 
@@ -122,7 +126,7 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
       const std::string value = identifier(g.name), low = hex(g.range.low),
                         high = hex(g.range.high);
       guards += unless(value + " > Number(" + low + ") && " + value + " < Number(" + high + ")",
-                       name + ": " + value + " must be in (" + low + ", " + high + ")");
+                       name + ": allowed: ", value + " between " + low + " and " + high);
     }
     const std::string body =
         p.calls + text.lines() + guards + "  return {" + results(p, text, first) + "};\n";
@@ -134,8 +138,9 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
           "  if (" + inside + ") {" + std::regex_replace("\n" + body, line_start, "\n  ") + "  }\n";
       continue;
     }
+    const std::string of_float = is_float ? "; floats within " + hex(f.most_in_float) : "";
     if (!inside.empty())
-      code += unless(inside, name + ": outside of the domain that its comment states");
+      code += unless(inside, name + ": allowed: ", joined(domains, "; or ") + of_float);
     code += body;
   }
   for (const Input& i : q.inputs)
@@ -144,8 +149,7 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   const std::string of_paper = q.labels.empty() ? "" : " (" + q.labels + ")";
   const std::string theorems = listed(ids_of(q.cases, ids));
   if (!is_matrix)
-    e.header +=
-        "template <class Number> struct " + structure + " {\n  Number " + outputs + ";\n};\n";
+    e.header += "template <class Number> struct " + structure + " { Number " + outputs + "; };\n";
   e.header += "/// " + q.name + of_paper + ": " + outputs +
               ". Domain: " + joined(domains, "; or ") +
               (theorems.empty() ? "" : ". Theorems: " + theorems) +
@@ -193,20 +197,18 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
                                      {"std::is_arithmetic_v<", "<type_traits>"},
                                      {"std::pair<", "<utility>"}})
     if (result.header.find(used) != std::string::npos) includes.push_back(header);
-  const std::string most = hex(forms[0].most_in_float), ends = "or, but for 0, below one by that, ";
+  const std::string most = hex(forms[0].most_in_float);
   const std::string of_float =
-      most == "inf" ? "" : "and float, no end of a domain above " + most + " " + ends;
+      most == "inf" ? "" : ", and float, whose domains end at " + most + " and at one by that";
   const std::string numbers =
       is_exact
           ? "any field, without error; doubles are no field, and refused: closed, product "
             "and tangent are for them. A whole number outside of its domain throws "
             "std::domain_error; others are not tested: a field need have no order."
-          : "any real type of double's precision and exponents, or better, " + of_float +
-                "with <cmath>'s functions; each operation is rounded as the type rounds. No error "
-                "bound is derived: where terms cancel, the result has their absolute error; n "
-                "times "
-                "an angle has n times its error. Outside of its domain a function throws "
-                "std::domain_error.";
+          : "any real type of double's precision and exponents, or better" + of_float +
+                ". No error bound is derived: where terms cancel, the result has their absolute "
+                "error; n times an angle has n times its error. Outside of its domain a function "
+                "throws std::domain_error.";
   result.header =
       broken(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
                      includes) +

@@ -8,12 +8,8 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-struct AngleInputs {
-  double alpha;
-};
-struct AngleOutputs {
-  double psi;
-};
+struct AngleInputs { double alpha; };
+struct AngleOutputs { double psi; };
 /// angle, general: alpha from 0x1p-300 to 0x1p+0, z between 0x0p+0 and 0x1.5555555555556p-2.
 ///   Theorems: psi = 4*half_h. t^2 = z: by theorem. Operations: arctangents: 1, products by
 ///   doubles: 2, quotients: 1, reciprocal roots: 1, sums of doubles: 1.

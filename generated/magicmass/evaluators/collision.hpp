@@ -12,9 +12,7 @@ struct CollisionInputs {
   double alpha;
   std::int64_t j;
 };
-struct CollisionOutputs {
-  double when, apart;
-};
+struct CollisionOutputs { double when, apart; };
 /// collision, small: alpha from 0x1p-300 to 0x1.fffffffffffffp-1, j from 2 to 1125899906842624,
 ///   half_phase between -0x1.0624dd2f1a9fcp-10 and 0x1.921ff2e48e8a7p+0, next_cosine above 2^23
 ///   times its error. Theorems: when_j = 1*inv(1)*(time_ratio_j*half_cosine_j*per_next_j); apart_j

@@ -8,12 +8,8 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-struct CountsInputs {
-  double alpha;
-};
-struct CountsOutputs {
-  std::int64_t N_A, N_B;
-};
+struct CountsInputs { double alpha; };
+struct CountsOutputs { std::int64_t N_A, N_B; };
 /// counts, small: alpha from 0x1p-100 to 0x1.fffffffffffffp-1. Theorems: N_A = ceil(pi/(2*h) -
 ///   1/2); N_B = ceil(pi/(2*h) - 1). z <= 1/3, t^2 = z: by theorem. Operations: arctangents: 1,
 ///   products by doubles: 3, quotients: 1, reciprocal roots: 1, roundings to whole numbers: 1,

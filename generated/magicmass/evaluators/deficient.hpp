@@ -8,12 +8,8 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-struct DeficientInputs {
-  std::int64_t k;
-};
-struct DeficientOutputs {
-  double beta_;
-};
+struct DeficientInputs { std::int64_t k; };
+struct DeficientOutputs { double beta_; };
 /// deficient, general: k from 1 to 1125899906842624. Theorems: beta_k =
 ///   deficient_versed_k/deficient_cosine_k. Operations: products: 1, quotients: 2, sines: 1, sums:
 ///   1.

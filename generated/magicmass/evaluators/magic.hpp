@@ -8,12 +8,8 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-struct MagicInputs {
-  std::int64_t k;
-};
-struct MagicOutputs {
-  double alpha_;
-};
+struct MagicInputs { std::int64_t k; };
+struct MagicOutputs { double alpha_; };
 /// magic, general: k from 2 to 1125899906842624. Theorems: alpha_k = magic_versed_k/magic_cosine_k.
 ///   Operations: products: 1, quotients: 2, sines: 1, sums: 1, sums of doubles: 1.
 template <class Tier, class N> struct MagicGeneral {

@@ -9,9 +9,7 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-struct RestitutionInputs {
-  double M_C, w_B, e;
-};
+struct RestitutionInputs { double M_C, w_B, e; };
 struct RestitutionOutputs {
   std::int64_t N_e;
   double a_end, b_end, c_end, rho_end;

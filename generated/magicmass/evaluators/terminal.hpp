@@ -9,9 +9,7 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-struct TerminalInputs {
-  double alpha;
-};
+struct TerminalInputs { double alpha; };
 struct TerminalOutputs {
   std::int64_t N_A, N_B;
   double a_t, b_t, c_t, rho;

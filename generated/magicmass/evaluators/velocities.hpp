@@ -13,9 +13,7 @@ struct VelocitiesInputs {
   double alpha;
   std::int64_t n;
 };
-struct VelocitiesOutputs {
-  double a, b, c, c_prime;
-};
+struct VelocitiesOutputs { double a, b, c, c_prime; };
 struct VelocitiesColumns {
   const double *alpha;
   const std::int64_t *n;

@@ -31,9 +31,7 @@ template <class Number> std::pair<Number, Number> T_doubled(const Number& alpha,
   }
   return {low, high};
 }
-template <class Number> struct VelocitiesExact {
-  Number a, b, c, c_prime;
-};
+template <class Number> struct VelocitiesExact { Number a, b, c, c_prime; };
 /// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha > 0,
 ///   n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904. Theorems: cycle.start_vector,
 ///   c_start, power.V_CM, exact.b_before, a, b, c, c_prime. Operations: none; or products: 6,
@@ -44,7 +42,8 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
     return {Number(1), Number(0), Number(0), Number(0)};
   }
   if (!(n >= 1 && n <= 4611686018427387904))
-    throw std::domain_error("velocities_exact: outside of the domain that its comment states");
+    throw std::domain_error("velocities_exact: allowed: "
+        "alpha > 0, n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904");
   const std::pair<Number, Number> T_at_n = T_doubled(alpha, n);
   const Number V_CM = Number(1) / (Number(2) + alpha);  // V_CM = 1*(1/(2 + alpha))
   const Number t4 = Number(1) + alpha;  // for b_before, a, b
@@ -58,9 +57,7 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   const Number c_prime = (t10 - b) / alpha;  // c'_n = (1 - a_n - b_n)/alpha
   return {a, b, c, c_prime};
 }
-template <class Number> struct TerminalExact {
-  Number a_t, b_t, c_t, rho;
-};
+template <class Number> struct TerminalExact { Number a_t, b_t, c_t, rho; };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain:
 ///   alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904.
 ///   Theorems: power.V_CM, exact.a_t, b_t, terminal.definitions, evaluators_end.def_rho.
@@ -68,7 +65,7 @@ template <class Number> struct TerminalExact {
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std::int64_t N_B) {
   if (!(N_A >= 1 && N_A <= 4611686018427387904 && N_B >= 1 && N_B <= 4611686018427387904))
-    throw std::domain_error("terminal_exact: outside of the domain that its comment states");
+    throw std::domain_error("terminal_exact: allowed: what its comment says");
   const std::pair<Number, Number> T_at_N_A = T_doubled(alpha, N_A);
   const std::pair<Number, Number> T_at_N_B = T_doubled(alpha, N_B);
   const Number V_CM = Number(1) / (Number(2) + alpha);  // V_CM = 1*(1/(2 + alpha))
@@ -81,9 +78,7 @@ TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std:
   const Number rho = b_t * b_t;  // rho = (b_t*inv(1))^2
   return {a_t, b_t, c_t, rho};
 }
-template <class Number> struct ShapeExact {
-  Number K, q_e;
-};
+template <class Number> struct ShapeExact { Number K, q_e; };
 /// shape: K, q_e. Domain: M_A > 0, w_B >= 0, M_C > 0, e > 0. Theorems: collapse.def_K,
 ///   bodies.def_q_e. Operations: products: 3, quotients: 4, sums: 4.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
@@ -95,9 +90,8 @@ ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Numbe
   const Number q_e = Number(1) - K;  // q_e = 1 - K
   return {K, q_e};
 }
-template <class Number> struct TwoCollisionsExact {
-  Number ends, two, four, six, a_two, b_two, c_two, rho_two;
-};
+template <class Number> struct TwoCollisionsExact { Number ends, two, four, six, a_two, b_two,
+    c_two, rho_two; };
 /// two_collisions (eq:a-terminal eq:b-terminal eq:ct): ends, two, four, six, a_two, b_two, c_two,
 ///   rho_two. Domain: M_C > 0, w_B >= 0, e > 0. Theorems: evaluators_restitution.def_taken_two,
 ///   def_ends, def_two, def_four, def_six, a_two, b_two, c_two, def_rho_two. Operations: products:

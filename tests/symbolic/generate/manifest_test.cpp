@@ -93,7 +93,7 @@ TEST_CASE("each output has a header, beside any other of its quantity, too") {
       for (const codegen::Output& other : outputs) {
         INFO(form << ": " << one.name << ", " << other.name);
         const std::string header = generate::selected(form, {one.name, other.name});
-        CHECK(std::regex_search(header, std::regex("  Number [^;=]*\\b" + one.name + "[,;]")));
+        CHECK(std::regex_search(header, std::regex(" \\{ Number [^;=]*\\b" + one.name + "[,;]")));
       }
   }
 }
