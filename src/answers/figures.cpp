@@ -23,10 +23,8 @@ std::vector<Alpha> thresholds_above(double least) {
 /// Up to 1.2 with all thresholds, closer where the curves are narrower.
 std::vector<Alpha> alphas() {
   constexpr double least = 0.01;
-  constexpr int steps = 400;
   std::vector<Alpha> all = thresholds_above(least);
-  for (int i = 0; i <= steps; ++i)
-    all.emplace_back(least * std::pow(1.2 / least, double(i) / steps));
+  for (int i = 0; i <= 400; ++i) all.emplace_back(least * std::pow(1.2 / least, i / 400.0));
   std::ranges::sort(all, {}, nearest);
   return all;
 }
@@ -41,8 +39,7 @@ Places places(const std::string& text, double start) {
   const Result result = run(scene);
   scene.times = {value_of(0), *scene.until};
   stream(scene, result.plan, [&](const magicmass::scenes::Row& row) {
-    const auto* time = std::get_if<double>(&row.time);
-    scene.times.push_back({"", time ? Surd(*time) : std::get<Surd>(row.time)});
+    scene.times.push_back({"", std::visit([](const auto& t) { return Surd(t); }, row.time)});
   });
   Places all;
   trajectory(scene, result, [&](const Point& point) {

@@ -120,7 +120,6 @@ using Write = std::function<void(std::string_view)>;
 
 /// The events or the trajectory of a scene, as they come, some thousand rows at a time.
 void write_list(bool is_points, const Asked& asked, Format format, const Write& write) {
-  constexpr std::size_t rows_at_once = 4096;
   const Scene& scene = asked.scene;
   const Names of_points{"time", "body", "position"};
   const Names of_events{"number", "left", "right", "time", "position", "v_left", "v_right"};
@@ -132,7 +131,7 @@ void write_list(bool is_points, const Asked& asked, Format format, const Write& 
   };
   const auto add = [&](Row row) {
     block.push_back(std::move(row));
-    if (block.size() == rows_at_once) flush();
+    if (block.size() == 4096) flush();
   };
   const auto shown = [&](const Number& number) {
     return (format == Format::text ? short_cell : number_cell)(number, scene.is_exact);
@@ -144,13 +143,11 @@ void write_list(bool is_points, const Asked& asked, Format format, const Write& 
     add({whole_cell(event.number), name(event.gap - 1), name(event.gap), shown(event.time),
          shown(event.position), shown(event.v_left), shown(event.v_right)});
   };
-  const auto add_point = [&](const Point& point) {
-    add({shown(point.time), name(point.body), shown(point.position)});
-  };
+  if (!is_points) stream(scene, asked.result.plan, add_event, scene.every);
   if (is_points)
-    trajectory(scene, asked.result, add_point);
-  else
-    stream(scene, asked.result.plan, add_event, scene.every);
+    trajectory(scene, asked.result, [&](const Point& point) {
+      add({shown(point.time), name(point.body), shown(point.position)});
+    });
   flush();
   std::string end = writer.end();
   if (format == Format::json) end.pop_back();  // an object goes on
@@ -173,8 +170,7 @@ void write_all(const Asked& asked, Format format, const Write& write) {
   write(head);
   for (const bool is_points : {false, true}) {
     if (!(is_points ? points : events)) continue;
-    const std::string key = is_points ? ", \"trajectory\": " : ", \"events\": ";
-    write(format == Format::text ? "\n" : key);
+    write(format == Format::text ? "\n" : is_points ? ", \"trajectory\": " : ", \"events\": ");
     write_list(is_points, asked, format, write);
   }
   if (format == Format::json) write("}\n");

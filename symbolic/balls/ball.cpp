@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include <cln/real.h>
 
@@ -200,20 +201,18 @@ cl_RA exact(double value) {
 
 void Surd::add(const cl_I& d, const cl_RA& factor) {
   if (cln::zerop(factor)) return;
-  cl_I root;
-  if (cln::sqrtp(d, &root)) {
+  cl_I root = d;
+  auto same = roots_.find(d);  // the same root but for a rational factor
+  if (same == roots_.end() && cln::sqrtp(d, &root)) {
     rational_ = rational_ + factor * root;
     return;
   }
-  for (auto one = roots_.begin(); one != roots_.end(); ++one) {
-    auto& [e, sum] = *one;
-    if (d != e && !cln::sqrtp(cl_I(d * e), &root)) continue;
-    sum = sum + (d == e ? factor : factor * root / e);  // the same root but for a rational factor
-    if (cln::zerop(sum)) roots_.erase(one);
-    return;
-  }
-  const auto is_larger = [&](const auto& one) { return one.first > d; };
-  roots_.insert(std::ranges::find_if(roots_, is_larger), {d, factor});
+  if (same == roots_.end())
+    same = std::ranges::find_if(
+        roots_, [&](const auto& one) { return cln::sqrtp(cl_I(d * one.first), &root); });
+  if (same == roots_.end()) std::tie(same, root) = std::pair(roots_.emplace(d, 0).first, d);
+  same->second = same->second + factor * root / same->first;
+  if (cln::zerop(same->second)) roots_.erase(same);
 }
 Surd Surd::sqrt(const Surd& x) {
   if (!x.roots_.empty()) throw std::domain_error("a square root in a square root");
@@ -237,33 +236,40 @@ Surd operator+(const Surd& x, const Surd& y) {
   for (const auto& [d, factor] : y.roots_) sum.add(d, factor);
   return sum;
 }
+/// Over one denominator: sums of fractions take far longer.
 Surd operator*(const Surd& x, const Surd& y) {
-  Surd product = x.rational_ * y.rational_;
-  for (const auto& [d, factor] : x.roots_) product.add(d, factor * y.rational_);
-  for (const auto& [e, by] : y.roots_) {
-    product.add(e, x.rational_ * by);
-    for (const auto& [d, factor] : x.roots_) {
+  const auto times = [](Surd product, const cl_RA& q) {
+    product.rational_ = product.rational_ * q;
+    for (auto& [d, factor] : product.roots_) factor = factor * q;
+    return cln::zerop(q) ? Surd() : product;
+  };
+  if (x.roots_.empty()) return times(y, x.rational_);
+  const auto whole = [&](const Surd& z, cl_I& below) {
+    for (const auto& [d, factor] : z.roots_) below = cln::lcm(below, cln::denominator(factor));
+    return times(z, below);
+  };
+  cl_I below_x = cln::denominator(x.rational_), below_y = cln::denominator(y.rational_);
+  const Surd u = whole(x, below_x), v = whole(y, below_y);
+  Surd product = times(v, u.rational_);
+  for (const auto& [d, factor] : u.roots_) {
+    product.add(d, factor * v.rational_);
+    for (const auto& [e, by] : v.roots_) {
       const cl_I common = cln::gcd(d, e);
       product.add(cln::exquo(d, common) * cln::exquo(e, common), factor * by * common);
     }
   }
-  return product;
-}
-/// Its roots of numbers with a common factor, by which the others' cannot be divided.
-Surd Surd::with_factor() const {
-  cl_I common = 0;
-  Surd part;
-  for (const auto& [d, factor] : roots_)
-    if (const cl_I both = cln::gcd(common, d); both > 1) common = both;
-  for (const auto& [d, factor] : roots_)
-    if (cln::gcd(common, d) > 1) part.roots_.emplace_back(d, factor);
-  return part;
+  return times(product, cln::recip(cl_RA(below_x * below_y)));
 }
 Surd operator/(const Surd& x, const Surd& y) {
   Surd above = x, below = y;
-  for (int round = 0; !below.roots_.empty(); ++round) {  // (u + v)(u - v) has not that factor
+  for (int round = 0; !below.roots_.empty(); ++round) {  // (u + v)(u - v) has not the factor of v
     if (round == 64) throw std::domain_error("too many square roots");
-    const Surd turned = below - Surd(2) * below.with_factor();
+    cl_I common = 0;
+    for (const auto& [d, factor] : below.roots_)
+      if (const cl_I both = cln::gcd(common, d); both > 1) common = both;
+    Surd turned = below;
+    for (auto& [d, factor] : turned.roots_)
+      if (cln::gcd(common, d) > 1) factor = -factor;
     above = above * turned;
     below = below * turned;
   }
@@ -273,15 +279,15 @@ Surd operator/(const Surd& x, const Surd& y) {
 
 /// Off by less than 2^-80 of it.
 cl_RA Surd::near() const {
+  if (roots_.empty()) return rational_;
   for (int bits = 128;; bits *= 2) {
-    cl_RA sum = rational_, off = 0;
-    for (const auto& [d, factor] : roots_) {
-      cl_I root;
+    cl_I sum = cln::floor1(scaled(rational_, bits)), off = 1, root;
+    for (const auto& [d, factor] : roots_) {  // sums of fractions would be long
       cln::isqrt(cln::ash(d, 2 * bits), &root);
-      sum = sum + scaled(factor * root, -bits);
-      off = off + scaled(cln::abs(factor), -bits);
+      sum = sum + cln::floor1(cln::numerator(factor) * root, cln::denominator(factor));
+      off = off + cln::ceiling1(cln::abs(factor)) + 1;
     }
-    if (cln::abs(sum) >= scaled(off, 80)) return sum;
+    if (cln::abs(sum) >= cln::ash(off, 80)) return scaled(sum, -bits);
   }
 }
 int Surd::compared(const Surd& x, const Surd& y) {
@@ -298,9 +304,9 @@ std::size_t Surd::bits() const {
 std::optional<double> Surd::to_double() const {
   const cl_RA x = near(), size = cln::abs(x);
   if (cln::zerop(x)) return 0.0;
-  if (size > exact(std::numeric_limits<double>::max())) return std::nullopt;
-  if (size < exact(std::numeric_limits<double>::min())) return std::nullopt;
-  return cln::double_approx(x);
+  using Limits = std::numeric_limits<double>;
+  const bool fits = exact(Limits::min()) <= size && size <= exact(Limits::max());
+  return fits ? std::optional(cln::double_approx(x)) : std::nullopt;
 }
 std::string Surd::text() const {
   std::string all = cln::zerop(rational_) && !roots_.empty() ? "" : kernel::digits(rational_);

@@ -5,10 +5,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include <cln/integer.h>
 #include <cln/rational.h>
@@ -110,13 +110,12 @@ public:
 
 private:
   cln::cl_RA rational_;
-  // d, and the factor of sqrt(d), in the order of d. No square of a small prime divides it; the
+  // d, and the factor of sqrt(d). No square of a small prime divides it; the
   // product of two of them is no square: then these roots and 1 are linearly independent, and the
   // sum is 0 only without any.
-  std::vector<std::pair<cln::cl_I, cln::cl_RA>> roots_;
+  std::map<cln::cl_I, cln::cl_RA> roots_;
 
   void add(const cln::cl_I& d, const cln::cl_RA& factor);
-  Surd with_factor() const;
   cln::cl_RA near() const;
   static int compared(const Surd& x, const Surd& y);
 };
