@@ -12,12 +12,11 @@ using namespace notation;
 /// alpha_k and beta_k down to a mass ratio, from the largest.
 std::vector<Alpha> thresholds_above(double least) {
   std::vector<Alpha> all;
-  for (int k = 1;; ++k) {
+  for (int k = 1;; ++k)
     for (const Alpha& alpha : {magic(k), deficient(k)}) {
       if (nearest(alpha) < least) return all;
       all.push_back(alpha);
     }
-  }
 }
 
 /// Up to 1.2 with all thresholds, closer where the curves are narrower.

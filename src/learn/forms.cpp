@@ -35,12 +35,10 @@ bool is_difference(Expr e, const equality::Domain& domain) {
   if (e.op() != Op::Add) return false;
   for (const equality::Point& point : equality::points(domain, 3, {})) {
     std::set<int> signs;
-    for (Expr one : e.args()) {
-      try {
+    for (Expr one : e.args()) try {
         signs.insert(equality::exact_sign(equality::at(point, one)).value_or(0));
       } catch (const equality::NotDefined&) {
       }
-    }
     if (signs.contains(1) && signs.contains(-1)) return true;
   }
   return false;

@@ -85,10 +85,9 @@ Theorems angles(const Exprs& terms, const Exprs& bases, bool circle) {
     rules.push_back(restate(eq(a, right(t)), t));
   }
   if (!circle) return rules;
-  for (const Expr& b : bases) {
+  for (const Expr& b : bases)
     rules.push_back(arithmetic(eq(power(sin(b), 2), 1 - power(cos(b), 2)),
                                {.equations = {{1, at("circle", {{real("x"), b}})}}}));
-  }
   return rules;
 }
 Theorem same_angle(const Theorem& cosines, const Theorems& facts) {

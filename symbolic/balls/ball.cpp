@@ -219,12 +219,11 @@ Surd Surd::sqrt(const Surd& x) {
   if (cln::minusp(x.rational_)) throw std::domain_error("the square root of a negative number");
   cl_I rest = cln::numerator(x.rational_) * cln::denominator(x.rational_);
   cl_RA outside = cln::recip(cln::denominator(x.rational_));
-  for (int p = 2; p < 1000 && !cln::zerop(rest); ++p) {
+  for (int p = 2; p < 1000 && !cln::zerop(rest); ++p)
     while (cln::zerop(cln::mod(rest, p * p))) {
       rest = cln::exquo(rest, p * p);
       outside = outside * p;
     }
-  }
   Surd root;
   root.add(rest, outside);
   return root;

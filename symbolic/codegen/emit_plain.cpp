@@ -205,10 +205,9 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
           ? "any field, without error; doubles are no field, and refused: closed, product "
             "and tangent are for them. A whole number outside of its domain throws "
             "std::domain_error; others are not tested: a field need have no order."
-          : "any real type of double's precision and exponents, or better" + of_float +
-                ". No error bound is derived: where terms cancel, the result has their absolute "
-                "error; n times an angle has n times its error. Outside of its domain a function "
-                "throws std::domain_error.";
+          : "real types at least as wide as double" + of_float +
+                ". No bound is derived: terms that cancel leave their absolute error; n times an "
+                "angle has n times its error. Outside of a domain std::domain_error is thrown.";
   result.header =
       broken(opening("// The " + form + (form == "matrices" ? "" : " forms") + ", for " + numbers,
                      includes) +

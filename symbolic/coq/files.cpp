@@ -36,10 +36,9 @@ Files files(const std::vector<Chapter>& chapters) {
   std::string last = "prelude";
   for (const Chapter& chapter : chapters) {
     std::string shown;
-    for (const auto& [id, t] : chapter.shown) {
+    for (const auto& [id, t] : chapter.shown)
       shown += "\n(* " + id + " *)\nTheorem t'" + std::to_string(++out.shown) + " : " +
                Script::statement(t) + ".\nProof. exact " + script.lemma(t) + ". Qed.\n";
-    }
     out.texts.emplace_back(chapter.name + ".v", "From Magicmass Require Export " + last +
                                                     ".\nOpen Scope R_scope.\n" + script.take() +
                                                     shown);

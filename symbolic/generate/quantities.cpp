@@ -185,15 +185,18 @@ Texts texts(const std::vector<PlainForm>& all, const codegen::Ids& ids) {
   return files;
 }
 Texts generated() { return texts(inventory().all, inventory().source.ids); }
-std::string selected(const std::string& form, const std::set<std::string>& outputs) {
+std::string selected(const std::string& form, const std::set<std::string>& outputs,
+                     const std::set<std::string>& quantities, const std::string& more) {
   static const std::set<std::string> of_scenes{"shape", "two_collisions"};
   std::vector<PlainForm> forms;
   for (const PlainForm& f : inventory().all)
     if (f.form == form && form != "matrices" && form != "evaluator" &&
-        !of_scenes.contains(f.quantity.name))
+        !of_scenes.contains(f.quantity.name) &&
+        (quantities.empty() || quantities.contains(f.quantity.name)))
       forms.push_back(f);
   if (forms.empty())
     throw Refused("no form " + form + "; allowed: closed, product, tangent, exact, restitution");
-  return codegen::emit_plain(forms, inventory().source.ids, outputs).header;
+  std::string header = codegen::emit_plain(forms, inventory().source.ids, outputs).header;
+  return header.insert(header.rfind("}  // namespace"), codegen::broken(more));
 }
 }  // namespace generate

@@ -37,6 +37,8 @@ Texts texts(const std::vector<codegen::PlainForm>& all, const codegen::Ids& ids 
 /// All of generated/.
 Texts generated();
 /// One header with the wanted outputs alone, in a plain form: closed, product, tangent, exact,
-/// restitution. Throws codegen::Refused for a form or an output that there is none of.
-std::string selected(const std::string& form, const std::set<std::string>& outputs);
+/// restitution; of these quantities, where some are named; with more code at the end. Throws
+/// codegen::Refused for a form or an output that there is none of.
+std::string selected(const std::string& form, const std::set<std::string>& outputs,
+                     const std::set<std::string>& quantities = {}, const std::string& more = "");
 }  // namespace generate

@@ -59,10 +59,9 @@ Collision collision(Tier tier, double alpha, std::int64_t j) {
   if (j == 0) return {0, 1};
   const Counts counts = counts_or_most(alpha);
   const std::uint64_t last = std::uint64_t(counts.N_A) + std::uint64_t(counts.N_B) - 1;
-  if (j < 0 || std::uint64_t(j) > last) {
+  if (j < 0 || std::uint64_t(j) > last)
     throw InvalidInput("j must be from 0 to N_A + N_B - 1 = " + std::to_string(last) + ", got " +
                        std::to_string(j));
-  }
   return certain(kernels().collision, tier + 1, alpha, j);
 }
 double angle(Tier tier, double alpha) {

@@ -140,9 +140,8 @@ private:
       if (--last == 2) return r;
     }
     const int shift = std::countl_zero(w[last]);
-    for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k)
       r.word[k] = w[last - 2 + k] << shift | w[last - 3 + k] >> 1 >> (63 - shift);
-    }
     r.top = e - shift - 64 * (6 - long(last));
     r.is_negative = is_negative;
     return r;

@@ -236,11 +236,10 @@ Result run(const Scene& scene) {
   if (!scene.is_exact) timeless.times.clear();
   const bool has_exact = has_exact_numbers(timeless);
   const std::int64_t limit = scene.limit();
-  if (scene.is_exact && !has_exact) {
+  if (scene.is_exact && !has_exact)
     throw InvalidInput(scene.source +
                        ": --exact: magic:k or deficient:k that no square roots give; "
                        "allowed: fractions and square roots");
-  }
   auto solved = by_theorem(scene);
   const auto because = [&](const std::string& in_doubles) {
     return (solved.why.empty() ? "" : solved.why + "; ") + in_doubles;

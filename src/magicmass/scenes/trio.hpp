@@ -55,6 +55,8 @@ public:
   struct FromB {
     Ball V = 1, W = 0, d_A = 0, d_B = 1;
   };
+  FromB start() const;
+  const Start& from() const { return from_; }
   using Collision = simulator::Collision<Ball>;
   /// Collision j, from 0 on.
   Collision collision(const Shape& s, std::int64_t j) const;
@@ -101,7 +103,6 @@ private:
   /// At most so many; nothing, too, for more, and where numbers become too long.
   std::optional<std::int64_t> exact_count(std::int64_t most) const;
   using Velocities = std::array<Ball, 3>;
-  FromB start() const;
   /// Velocities after so many collisions, of A, C and B, as seen from B before it is met.
   Velocities seen(const Shape& s, std::int64_t collisions) const;
   Ball place_of(const Ball& time, const Ball& place) const;

@@ -130,9 +130,8 @@ Tally all_rationals() {
     for (int p = 1; p <= 4096; p += k == 0 ? 1 : 2) {
       const double alpha = std::ldexp(double(p), -k);
       const Terminal t = *accurate::terminal(alpha);
-      for (std::int64_t n = 0; n <= std::min(t.counts.N_A, std::int64_t{64}); ++n) {
+      for (std::int64_t n = 0; n <= std::min(t.counts.N_A, std::int64_t{64}); ++n)
         check({&family, alpha, n}, accurate::velocities(alpha, n), t, true, tally);
-      }
     }
   }
   return tally;

@@ -177,9 +177,8 @@ TEST_CASE("ratios are rounded right") {
   for (const std::int64_t k : {(std::int64_t{1} << 50) + 1, INT64_MAX}) CHECK(ratios(0, k) <= 1);
 }
 TEST_CASE("collisions at rational alpha, all of them") {
-  for (double alpha : {1 / 2.0, 3 / 8.0, 1 / 4.0, 3 / 64.0, 5 / 1024.0, 1 / 4096.0}) {
+  for (double alpha : {1 / 2.0, 3 / 8.0, 1 / 4.0, 3 / 64.0, 5 / 1024.0, 1 / 4096.0})
     for (std::int64_t j = 0; j < number_of_collisions(alpha); ++j) CHECK(collision(alpha, j) <= 4);
-  }
 }
 TEST_CASE("doubles and ties: 1 + alpha a power of 2, the first collisions, leading orders") {
   for (int j = 1; j <= 53; ++j) {
@@ -191,10 +190,9 @@ TEST_CASE("doubles and ties: 1 + alpha a power of 2, the first collisions, leadi
                        0x1p53 + 2, 0x1p400, 0x1.fffffffffffffp1023}) {
     for (std::int64_t j : {0, 1}) CHECK(collision(alpha, j) <= 4);
   }
-  for (double alpha : {0x1p-1074, 0x1.5acd9597016aap-968, 0x1p-400, 0x1p-130}) {
+  for (double alpha : {0x1p-1074, 0x1.5acd9597016aap-968, 0x1p-400, 0x1p-130})
     for (std::int64_t j : {2L, 3L, 7L, (1L << 53) - 1, (1L << 54) - 1, (1L << 54) + 1, INT64_MAX})
       CHECK(collision(alpha, j) <= 4);
-  }
 }
 TEST_CASE("n ends at N_A, j before N_A + N_B, on both sides of a threshold") {
   Random random(24);
