@@ -202,15 +202,16 @@ cl_RA exact(double value) {
 void Surd::add(const cl_I& d, const cl_RA& factor) {
   if (cln::zerop(factor)) return;
   cl_I root = d;
-  auto same = roots_.find(d);  // the same root but for a rational factor
-  if (same == roots_.end() && cln::sqrtp(d, &root)) {
+  const auto place = std::partition_point(roots_.begin(), roots_.end(),
+                                          [&](const auto& r) { return r.first < d; });
+  const bool is_there = place != roots_.end() && place->first == d;
+  if (!is_there && cln::sqrtp(d, &root)) {
     rational_ = rational_ + factor * root;
     return;
   }
-  if (same == roots_.end())
-    same = std::ranges::find_if(
-        roots_, [&](const auto& one) { return cln::sqrtp(cl_I(d * one.first), &root); });
-  if (same == roots_.end()) std::tie(same, root) = std::pair(roots_.emplace(d, 0).first, d);
+  const auto is_same = [&](const auto& r) { return cln::sqrtp(cl_I(d * r.first), &root); };
+  auto same = is_there ? place : std::ranges::find_if(roots_, is_same);  // but for a fraction
+  if (same == roots_.end()) std::tie(same, root) = std::pair(roots_.insert(place, {d, 0}), d);
   same->second = same->second + factor * root / same->first;
   if (cln::zerop(same->second)) roots_.erase(same);
 }

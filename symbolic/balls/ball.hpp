@@ -5,10 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include <cln/integer.h>
 #include <cln/rational.h>
@@ -110,10 +110,10 @@ public:
 
 private:
   cln::cl_RA rational_;
-  // d, and the factor of sqrt(d). No square of a small prime divides it; the
+  // d, and the factor of sqrt(d), in the order of d. No square of a small prime divides it; the
   // product of two of them is no square: then these roots and 1 are linearly independent, and the
   // sum is 0 only without any.
-  std::map<cln::cl_I, cln::cl_RA> roots_;
+  std::vector<std::pair<cln::cl_I, cln::cl_RA>> roots_;
 
   void add(const cln::cl_I& d, const cln::cl_RA& factor);
   cln::cl_RA near() const;
