@@ -69,6 +69,7 @@ void store(Columns& to, std::size_t i, const auto& r) {
   if constexpr (requires { r.s; }) values(r.t, r.s);
   if constexpr (requires { r.rho; }) values(r.a_t, r.b_t, r.c_t, r.rho);
   if constexpr (requires { r.magic; }) values(r.magic, r.deficient);
+  if constexpr (requires { r.alpha_; }) values(r.alpha_, r.beta_);
   if constexpr (requires { r.counts; }) store(to, i, r.counts);
   if constexpr (requires { r.N_A; }) {
     to.counts[0][i] = std::int64_t(r.N_A);
@@ -82,7 +83,8 @@ std::function<void(Columns&)> each(auto of) {
     for (std::size_t i = 0; i < columns.size(); ++i) {
       if constexpr (requires { of(0.5, std::int64_t{1}); })
         store(columns, i, of(columns.alpha[i], columns.index[i]));
-      else if constexpr (requires { of(std::int64_t{1}).magic; })
+      else if constexpr (
+          requires { of(1).magic; } || requires { of(1).alpha_; })
         store(columns, i, of(columns.index[i]));
       else
         store(columns, i, of(columns.alpha[i]));
@@ -113,10 +115,6 @@ const std::vector<Implementation>& implementations() {
   using AtCycle = Velocities (*)(double, std::int64_t);
   using AtEnd = std::optional<Terminal> (*)(double);
   constexpr std::size_t few = 50;
-  const auto closed_ratios = [](std::int64_t k) {
-    const auto [alpha_k, beta_k] = generated::ratios_closed<double>(k);
-    return Ratios{alpha_k, beta_k};
-  };
   static const std::vector<Implementation> all{
       {"naive", velocities, each(naive::velocities)},
       {"closed", velocities, each(generated::velocities_closed<double>)},
@@ -148,7 +146,8 @@ const std::vector<Implementation>& implementations() {
       {"count arrays", counts,
        [](Columns& c) { count_collisions(c.alpha, c.counts[0], c.counts[1]); }},
       {"naive", ratios, each(naive::ratios)},
-      {"closed", ratios, each(closed_ratios)},
+      {"closed", ratios, each(generated::ratios_closed<double>)},
+      {"product", ratios, each(generated::ratios_product<double>)},
       {"fast", ratios, each(fast::ratios)},
       {"accurate", ratios, each(accurate::ratios)},
   };

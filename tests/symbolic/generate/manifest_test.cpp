@@ -56,7 +56,7 @@ TEST_CASE("each entry's header is there and makes the claims of the entry") {
     for (const std::string name : entry.at("inputs")) check_says(header, name);
     check_says(header, std::string(entry.at("labels")));
     check_says(header, "Operations: ");
-    if (form != "evaluator" && form != "exact") check_says(header, "No error bound is derived");
+    if (form != "evaluator" && form != "exact") check_says(header, "No bound is derived");
     // Behind each line or above it its formula, or whose part it is; but for a matrix's entries.
     const std::regex unsaid(
         "\n(?! *//)[^\n]*\n *const (T|N|Number) (?!of_|[A-Za-z_0-9]+_[1-3][1-3] )[^;]*;\n");
