@@ -10,7 +10,7 @@ constexpr int digits_shown = 16;
 constexpr std::size_t longest_shown = 40;
 constexpr int largest_denominator = 1000;
 constexpr const char* no_difference = "normal form: the difference of both sides is 0";
-constexpr int most_gaps = 6;    // points that are tried where a divisor may be 0
+constexpr int most_gaps = 30;   // points that are tried where a divisor may be 0
 constexpr int most_cases = 30;  // integers that are put in one by one
 
 cln::cl_RA size(const Point& point) {
@@ -57,9 +57,8 @@ public:
     }
     if (!is_different_exactly() && verdict.proof.empty())
       verdict.proof =
-          "neither a proof nor a counterexample was found; both sides agree to 50 digits "
-          "at points: " +
-          std::to_string(common.size());
+          "neither a proof nor a counterexample was found; both sides agree to 50 digits at " +
+          std::to_string(common.size()) + (common.size() == 1 ? " point" : " points");
     return verdict;
   }
 
@@ -135,10 +134,8 @@ private:
         b = value_at(point, right, bits);
         if (a.is_known() && b.is_known()) break;
       }
-      if (!a.is_known() || !b.is_known()) {
-        is_open = true;
-        continue;
-      }
+      is_open = is_open || !a.is_known() || !b.is_known();
+      if (!a.is_known() || !b.is_known()) continue;
       if (!a.ball || !b.ball) {
         why_none = (b.ball ? a : b).why_none;
         if (verdict.notes.empty() && (a.ball || b.ball))

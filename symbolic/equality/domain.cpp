@@ -36,8 +36,7 @@ bool bound(const notation::Comparison& c, std::map<Expr, Range>& given) {
   const bool is_turned = !notation::name_of(c.right).empty();
   const Expr symbol = is_turned ? c.right : c.left;
   const auto value = notation::rational_value(is_turned ? c.left : c.right);
-  if (notation::name_of(symbol).empty() || !value) return false;
-  if (c.relation == "!=") return false;
+  if (notation::name_of(symbol).empty() || !value || c.relation == "!=") return false;
   const End end{*value, c.relation.ends_with('=')};
   if (c.relation == "=" || (c.relation[0] == '<') != is_turned) given[symbol].cut_above(end);
   if (c.relation == "=" || (c.relation[0] == '<') == is_turned) given[symbol].cut_below(end);

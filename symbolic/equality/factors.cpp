@@ -11,8 +11,6 @@ constexpr std::size_t most_terms = 60;  // of a polynomial that GiNaC factors
 constexpr int highest_degree = 60;
 
 cln::cl_RA common_divisor(const cln::cl_RA& a, const cln::cl_RA& b) {
-  if (a == 0) return cln::abs(b);
-  if (b == 0) return cln::abs(a);
   return cln::cl_RA(cln::gcd(cln::numerator(a) * cln::denominator(b),
                              cln::numerator(b) * cln::denominator(a))) /
          (cln::denominator(a) * cln::denominator(b));

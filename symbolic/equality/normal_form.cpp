@@ -170,7 +170,6 @@ Product Forms::power_of_modulus(const Sum& base, const Exponent& exponent) {
   return out;
 }
 Sum Forms::odd_root(const Sum& base, const Exponent& e) {
-  if (base.empty()) return {};
   if (is_not_negative(base)) return real_power(base, e);
   if (has_sign(base, -1, false)) return scaled(real_power(scaled(base, -1), e), -1);
   return times(base, real_power(base, e + exponent(-1)));  // x |x|^(1/k - 1)

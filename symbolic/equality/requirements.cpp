@@ -5,7 +5,11 @@
 namespace equality {
 
 bool is_certain(const Requirement& requirement, const Domain& domain) {
-  return is_proved([&] { return Forms(domain).holds(requirement); });
+  return is_proved([&] {
+    Forms forms(domain);
+    for (const auto& r : conditions(domain)) is_proved([&] { return forms.assume(r), true; });
+    return forms.holds(requirement);
+  });
 }
 
 Exprs parts_of(Expr term) {

@@ -96,8 +96,7 @@ bool is_zero_constant(Expr constant) {
 }
 
 int Forms::sign_of_atom(Expr atom) {
-  if (atom.op() == Op::Num) return 2;
-  if (atom == kernel::pi() || atom == euler()) return 2;
+  if (atom.op() == Op::Num || atom == kernel::pi() || atom == euler()) return 2;
   if (is_complex(atom)) return 0;
   if (const auto it = assumed_signs.find(atom); it != assumed_signs.end()) return it->second;
   const auto is_not_zero = [&](Expr e) { return assumed_not_zero.contains(e); };

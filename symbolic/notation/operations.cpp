@@ -25,7 +25,8 @@ const std::map<std::string, std::string>& definitions() {
         "arcsin asin(x) arccos acos(x) arctan atan(x) arctg atan(x) tg tan(x) ctg cot(x) "
         "cosec csc(x) ln log(x) arsinh asinh(x) arcosh acosh(x) artanh atanh(x) "
         "arcsinh asinh(x) arccosh acosh(x) arctanh atanh(x) "
-        "asec acos(1/x) acsc asin(1/x) arcsec acos(1/x) arccsc asin(1/x)");
+        "asec acos(1/x) acsc asin(1/x) arcsec acos(1/x) arccsc asin(1/x) acoth atanh(1/x) "
+        "arcoth atanh(1/x) asech acosh(1/x) arsech acosh(1/x) acsch asinh(1/x) arcsch asinh(1/x)");
     for (std::string other, what; others >> other >> what;) all.emplace(other, what);
     return all;
   }();
@@ -81,13 +82,18 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
                                            "M", "m", "e", "n", "k", "j"};
   if (factors.contains(word)) return "";
   if (rounding.contains(word)) return word + no_rounding;
+  if (word == "acot" || word == "arccot" || word == "arcctg")
+    return word + " has two readings: write atan(1/x) or pi/2 - atan(x)";
   for (const auto& [function, definition] : definitions()) {
     if (!word.starts_with(function) || word == function) continue;
     const std::string rest = word.substr(function.size());
     const std::string name =
         rest.substr(std::min(rest.find_first_not_of("0123456789"), rest.size()));
+    if (name.empty() && is_before_bracket) return word + " is not read; allowed: " + function;
     if (name.size() <= 1 || is_greek_name(name))
       return word + ": is " + function + "(" + rest + ") meant?";
+    if (!why_no_symbol(name.substr(1), false, {}).empty())  // sinxcosx
+      return word + ": is " + function + "(" + name[0] + ")... meant?";
   }
   const std::size_t bar = word.find('_');
   if (bar != word.npos && is_function(word.substr(0, bar))) return "unknown function " + word;
@@ -97,9 +103,8 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
   if (word.size() == 1)
     return unknown + "; write * for products, " + word + "_n for " + word + "(n)";
   std::string meant = alike(word, factors);
-  std::string small = word;
-  for (char& c : small) c = char(c | 0x20);
-  if (meant.empty() && is_function(small)) meant = small;  // SQRT of a spreadsheet
+  for (const auto& [function, definition] : definitions())  // SQRT of a spreadsheet
+    if (meant.empty()) meant = alike(word, {function});
   return unknown + (meant.empty() ? "" : "; is " + meant + " meant?");
 }
 

@@ -14,6 +14,12 @@ protected:
   std::vector<std::string> notes;
 
   [[noreturn]] void refuse_here(const std::string& why) const { refuse_at(now().column, why); }
+  [[noreturn]] void refuse_comma(std::size_t at) const {
+    const std::string& sign = words[at].quoted;
+    refuse_at(words[at].column, "unexpected " + (sign == "," ? "comma" : sign) +
+                                    "; decimals are written 0.5, matrices [[a, b], [c, d]], "
+                                    "logarithms to another base log(x)/log(b)");
+  }
   bool is_relation() const {
     return is("=") || is("<") || is(">") || is("<=") || is(">=") || is("!=");
   }
@@ -66,20 +72,18 @@ protected:
   }
   // Behind the slash of x^1/2 and x^3/2, but not of x^2/2.
   void note_fraction_after_power() {
-    if (place < 4 || words[place - 3].text != "^") return;
+    const std::string minus = place > 4 && words[place - 3].text == "-" ? "-" : "";
+    if (place < 4 || words[place - 3 - minus.size()].text != "^") return;
     const Token &above = words[place - 2], &below = now();
     if (!is_whole(above.text) || !is_whole(below.text) || number_of(below) == 0) return;
     if (cln::denominator(number_of(above) / number_of(below)) == 1) return;
-    const std::string fraction = above.text + "/" + below.text;
-    note("^" + fraction + " is read as (...^" + above.text + ")/" + below.text + ", not as ^(" +
+    const std::string power = minus + above.text, fraction = power + "/" + below.text;
+    note("^" + fraction + " is read as (...^" + power + ")/" + below.text + ", not as ^(" +
          fraction + ")");
   }
+  bool is_name() const { return now().kind == Kind::Name && !is_call(now()); }
   static bool is_call(const Token& token) {
     return token.kind == Kind::Name && is_function(token.text);
-  }
-  void note_base(Expr e) {  // e^x, log(e)
-    if (name_of(e) == "e")
-      note("e is read as the coefficient of restitution; the exponential function is exp(x)");
   }
 };
 }  // namespace notation

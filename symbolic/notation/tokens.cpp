@@ -117,7 +117,7 @@ private:
     return found;
   }
   void add(Kind kind, const std::string& word, std::size_t column) {
-    out.push_back({kind, word, column, spaced, latex, {}, word});
+    out.push_back({kind, word, column, spaced, latex, {}, as_typed(column)});
     spaced = latex = false;
   }
 
@@ -151,8 +151,11 @@ private:
       refuse_at(column, "a sum or a product? write " + out.back().text + "+" + word + " or " +
                             out.back().text + "*" + word);
     const std::string ascii = is_fraction ? "(" + word + ")" : word;
-    for (const Token& part : Scanner(ascii).scan())
-      if (part.kind != Kind::End) add(part.kind, part.text, column);
+    for (const Token& part : Scanner(ascii).scan()) {
+      if (part.kind == Kind::End) continue;
+      add(part.kind, part.text, column);
+      if (part.column > 1) out.back().quoted.clear();
+    }
   }
 
   void number(std::size_t column) {
@@ -236,9 +239,7 @@ private:
     if (index_1.ends_with('_')) refuse_at(column, "an index is missing behind " + word + "_");
     if (whole.size() > 40) refuse_at(column, "a name of more than 40 characters");
     add(Kind::Name, whole, column);
-    if (!number.empty()) out.back().typed = out.back().quoted = word;
-    const std::string typed = as_typed(column);
-    if (typed.size() > at - column + 1) out.back().quoted = typed;
+    if (!number.empty()) out.back().typed = word;
   }
 
   void superscript(std::size_t column) {
@@ -308,7 +309,9 @@ private:
 
   void sign(char32_t c, std::size_t column) {
     if (c == U'&' && peek() == U'=') return;  // where equations are aligned
-    if (c == U':' && !out.empty()) refuse_at(column, "a ratio is written with /, as 1/(1+alpha)");
+    if (c == U':' && !out.empty())
+      refuse_at(column,
+                "unexpected :; a formula has no words before it, a ratio is written with /");
     if (Characters(U"⌊⌋⌈⌉").find(c) != Characters::npos)
       refuse_at(column, as_typed(column) + no_rounding);
     if (c == U'°') refuse_at(column, "angles are in radians; 180 degrees are pi");
@@ -324,10 +327,8 @@ private:
 
 std::string Words::typed(std::size_t from, std::size_t to) const {
   std::string out = words[from].quoted;
-  for (std::size_t i = from + 1; i < to; ++i) {
-    const bool are_two = words[i].kind == Kind::Name && words[i - 1].kind != Kind::Sign;
-    out += (words[i].is_spaced || are_two ? " " : "") + words[i].quoted;
-  }
+  for (std::size_t i = from + 1; i < to; ++i)
+    out += (words[i].is_spaced && words[i].text != ")" ? " " : "") + words[i].quoted;
   return out;
 }
 void refuse_at(std::size_t column, const std::string& why) {

@@ -20,7 +20,7 @@ struct Token {
   bool is_spaced = false;   ///< a blank stands before it
   bool is_latex = false;    ///< it began with a backslash
   std::string typed = {};   ///< where it was changed: "M1" of M_1
-  std::string quoted = {};  ///< as messages have it: "ω" of omega
+  std::string quoted = {};  ///< as it stands there: "ω" of omega
 };
 using Kind = Token::Kind;
 /// A place among words, for readers that take one after the other.

@@ -7,10 +7,6 @@
 namespace notation {
 using namespace kernel;
 namespace {
-const std::string wrong_comma =
-    "unexpected comma; decimals are written 0.5, matrices [[a, b], [c, d]], "
-    "logarithms to another base log(x)/log(b)";
-
 class Parser : Readings {
 public:
   Parser(std::string_view text, const std::set<std::string>& the_factors, bool column, Expr of = {})
@@ -45,12 +41,12 @@ private:
   bool is_column;
   Expr x;  // in a function's definition
   int depth = 0, bars = 0;
-  std::size_t comma = 0;  // where the last one was
+  std::size_t comma = 0;  // the last one
 
   void expect_end() const {
     if (now().kind == Kind::End) return;
     if (is(")") || is("}")) refuse_here("a ( is missing for this " + now().text);
-    if (is(",")) refuse_here(wrong_comma);
+    if (is(",")) refuse_comma(place);
     refuse_here("an operator is missing before " + now().quoted);
   }
   Expr nested(Expr (Parser::*part)()) {
@@ -62,7 +58,7 @@ private:
   void close(const std::string& sign, std::size_t opened) {
     if (takes(sign)) return;
     if (now().kind == Kind::End) refuse_at(opened, "the " + sign + " for this one is missing");
-    if (is(",")) refuse_here(wrong_comma);
+    if (is(",")) refuse_comma(place);
     refuse_here("unexpected " + now().quoted + " where " + sign + " is expected");
   }
 
@@ -72,7 +68,7 @@ private:
     const std::vector<Exprs> all = rows();
     if (all.size() > 1) return grid_of(all, column);
     if (all[0].size() == 1) return all[0][0];
-    if (!is_column) refuse_at(comma, wrong_comma);
+    if (!is_column) refuse_comma(comma);
     if (depth == 0) refuse("a column is written with semicolons: [a; b; c]");
     return matrix(1, entries(grid_of(all, column)));
   }
@@ -84,8 +80,8 @@ private:
   }
   Exprs list() {
     Exprs out{sum()};
-    while (is(",")) {
-      comma = next().column;
+    while (takes(",")) {
+      comma = place - 1;
       out.push_back(sum());
     }
     return out;
@@ -143,7 +139,6 @@ private:
       note(typed(from - 1, place) + " is read as ^(" + typed(from, place) + ")");
     if (is_matrix(base) && exponent == symbol("T"))  // (a, b) is a column already
       return words[from].text == "(" ? base : matrix(base.rows(), entries(transpose(base)));
-    if (!free_variables(exponent).empty()) note_base(base);
     return raised_to(base, exponent, column);
   }
   Expr primary() { return nested(&Parser::operand); }
@@ -155,7 +150,7 @@ private:
     if (token.kind == Kind::Name) return name(token);
     if (token.kind == Kind::Command) return command(token);
     if (token.text == "(" || token.text == "{" || token.text == "[") return inside(token);
-    if (token.text != "|") refuse_at(token.column, "unexpected " + token.text);
+    if (token.text != "|") refuse_at(token.column, "unexpected " + token.quoted);
     ++bars;
     const Expr e = sum();
     close("|", token.column);
@@ -215,6 +210,8 @@ private:
     if (!why.empty()) refuse_at(token.column, why);
     if (!token.typed.empty()) note(token.typed + " is read as " + typed_text(symbol(word)));
     if (factors.contains(word)) return symbol(word);
+    if (word == "e")
+      note("e is read as the coefficient of restitution; the exponential function is exp(x)");
     if (word == "i") note("i is read as a real number of its own");
     const std::string product = word.size() == 2 ? word.substr(0, 1) + "*" + word[1] : "with *";
     const std::string index = word.substr(word.find('_') + 1);
@@ -240,7 +237,6 @@ private:
                        : has_base(token.text) ? logarithm_to_base(token)
                                               : applied(token.text, argument(token));
     if (token.text == "log") note("log is read as the natural logarithm");
-    if (value == call("log", symbol("e"))) note_base(value.arg(0));
     return exponent ? raised_to(value, exponent, column) : value;
   }
   Expr applied(const std::string& function, Expr of) const {
@@ -272,31 +268,37 @@ private:
     if (b == Expr(1)) refuse_at(token.column, "there is no logarithm to base 1");
     return above / call("log", b);
   }
-  // What a function is taken of. Without brackets: cos theta, \cos n\psi, sin 2 x, sqrt 2.
+  // What a function is taken of. Without brackets: cos theta, \cos n\psi, sin 2 x, sin ½(x+1)y.
   Expr argument(const Token& token) {
-    if (is("(") || is("{")) {
-      const Token& opened = next();
-      const Expr e = inside(opened);
-      if (is_matrix(e)) refuse_at(opened.column, token.text + " of a matrix");
-      return e;
-    }
-    if (now().kind == Kind::Command || is("|") || is_call(now())) return primary();
-    if (now().kind != Kind::Name && now().kind != Kind::Number)
-      refuse_here("a ( is missing after " + token.text);
     const std::size_t from = place;
+    const bool is_half = is("(") && words[from + 1].quoted.empty();
+    const bool is_bracket = !is_half && now().kind == Kind::Sign && !is("|");
+    const bool is_term = now().kind == Kind::Command || is("|") || is_call(now());
     const bool is_root = token.text == "sqrt" || token.text == "cbrt";
-    const bool many = !is_root && (token.is_latex || now().kind == Kind::Number);
-    Expr e = primary();
-    while (many && now().kind == Kind::Name && !is_call(now()) &&
-           (token.is_latex || place == from + 1))
-      e = e * primary();
+    const std::string& f = token.quoted;
+    if (!starts_factor() && !is("|")) refuse_here("a ( is missing after " + f);
+    Expr e = is_bracket ? inside(next()) : primary();
+    const std::size_t first = place;
+    const bool is_fraction = is_half || (words[from].text == "frac" && e.op() == Op::Num);
+    const bool is_number = is_fraction || words[from].kind == Kind::Number;
+    const bool many = !is_root && !is_bracket && (is_number || (token.is_latex && !is_term));
+    if (many && is_fraction && (is("(") || now().kind == Kind::Command))
+      e = times(e, primary(), now().column);
+    while (many && is_name() && (token.is_latex || place == first))
+      e = times(e, primary(), now().column);
+    if (is_matrix(e)) refuse_at(words[from].column, f + " of a matrix");
     const std::string taken = typed(from, place), more = typed(from, place + 1);
-    const bool is_product = is("*") && !token.is_latex && !is_call(words[place + 1]);
-    if ((starts_factor() && !is_call(now())) || is("^") || (!is_root && (is("/") || is_product)))
-      refuse_here(token.text + " " + more + "... has two readings: write " + token.text + "(" +
-                  more + "...) or " + token.text + "(" + taken + ")" + now().quoted + "...");
-    if (place > from + 1)
-      note(token.text + " " + taken + " is read as " + token.text + "(" + taken + ")");
+    if (is_bracket && !is_root && (e.op() == Op::Add || e.op() == Op::Num) && is_name())
+      note(f + more + " is read as " + f + taken + "*" + now().quoted);  // sin(n + 1/4) psi
+    if (is_bracket) return e;
+    const bool is_alone = token.is_latex && !(is_number && place == first);
+    const bool is_product = is("*") && !is_alone && !is_call(words[place + 1]);
+    const bool goes_on = !is_root && (is("/") || is_product);
+    const bool has_factor = starts_factor() && !is_call(now());
+    if (is("^") || ((goes_on || has_factor) && (!is_term || is_fraction)))
+      refuse_here(f + " " + more + "... has two readings: write " + f + "(" + more + "...) or " +
+                  f + "(" + taken + ")" + now().quoted + "...");
+    if (place > first) note(f + " " + taken + " is read as " + f + "(" + taken + ")");
     return e;
   }
 };

@@ -47,7 +47,7 @@ TEST_CASE("cells", "[exam]") {
   CHECK(list_cell({"a", "b\n"}).json == "[\"a\", \"b\\u000a\"]");
   CHECK(list_cell({"a", "b"}).text == "a; b");
   CHECK(text_cell("\\\x1f").json == "\"\\\\\\u001f\"");
-  CHECK(shown_text("a\x1b[\xffω₁∫\u202e", 12) == "a\\x1b[\\xffω₁∫...");
+  CHECK(shown_text("a\x1b[\xffω₁∫½\u202e", 14) == "a\\x1b[\\xffω₁∫½...");
   CHECK(shown_text("abcdef", 5) == "abcde...");
   CHECK(shown_text("") == "(nothing)");
 }
