@@ -311,6 +311,6 @@ Typed read_equation(std::string_view text, const std::set<std::string>& factors,
   return Parser(text, factors, is_column).whole(true);
 }
 std::vector<Comparison> read_comparisons(std::string_view text, std::vector<std::string>* notes) {
-  return Parser(text, {}, false).comparisons(notes);
+  return Parser(text, {"e"}, false).comparisons(notes);
 }
 }  // namespace notation
