@@ -253,8 +253,8 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
   for (Expr is : given) goals.push_back(kernel::substitute(goals.back(), {{is.arg(0), is.arg(1)}}));
   const Expr left = goals.back().arg(0), right = goals.back().arg(1);
   if (!is_algebraic_term(left - right))
-    kernel::refuse("it proves equations of +, *, quotients, roots and sines of parts of pi");
-  if (left.weight() + right.weight() > heaviest) kernel::refuse("both sides are too long");
+    kernel::refuse("certifies +, *, quotients, roots and sines of parts of pi alone");
+  if (left.weight() + right.weight() > heaviest) kernel::refuse("certifies no sides so long");
   kernel::Substitution bases;
   name_bases(left - right, bases);
   const auto named = [&](Expr e) {
@@ -305,7 +305,7 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
     theorem += (theorem.empty() ? "" : " |- ") + notation::typed_text(asked);
     return true;
   });
-  if (theorem.empty()) kernel::refuse("no proof was found");
+  if (theorem.empty()) kernel::refuse("found no proof");
   return theorem;
 }
 }  // namespace equality

@@ -51,7 +51,7 @@ public:
         verdict.theorem = certified(asked, given, needs, domain);
         verdict.proof += ", certified by the kernel";
       } catch (const kernel::Refused& why) {
-        verdict.proof += std::string(", not certified by the kernel: ") + why.what();
+        if (left != right) verdict.proof += std::string("; the kernel ") + why.what();
       }
       return verdict;
     }
