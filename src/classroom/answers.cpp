@@ -173,7 +173,7 @@ void remember(const Exercise& e, Judgement& said) {
   const Attempts before = attempts()[e.id];  // nothing where there is no memory
   keep({e.id, verdict, said.misconception.empty() ? "" : answers::shown_text(said.misconception)});
   if (said.mark == Mark::unread && before.unread >= misses_without_hint)
-    said.feedback += " " + how_to_write(e);
+    said.feedback += " " + how_to_write(e, said.feedback);
   if (!is_miss(verdict) || before.misses < misses_without_hint) return;
   std::size_t next = 1;
   while (before.shown.contains("hint " + std::to_string(next))) ++next;

@@ -196,14 +196,12 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
            terms.are_equal(with(laws, with(asides, from)), to) ||
            std::ranges::any_of(asides, is_moved);
   };
-  const auto is_finished = [&] {
-    return !lacking(e.form, before, terms.domain(notation::symbols_of(before)));
-  };
+  const auto is_finished = [&] { return terms.lacking(before, shown_before).empty(); };
   const auto goes_on = [&](std::size_t i) { return i < lines.size() && lines[i].starts_with("="); };
-  const auto missing = [&] {  // where no step was more than an identity
+  const auto missing = [&](const std::string& how) {  // where no step was more than an identity
     const auto is_law = [&](const auto& both) { return !terms.are_equal(both.first, both.second); };
     const bool is_used = !terms.are_equal(start, before) || std::ranges::any_of(asides, is_law);
-    return is_used ? "" : " This law is missing: " + e.laws[0] + ".";
+    return is_used ? "" : how + e.laws[0] + ".";
   };
   std::pair reached{before, shown_before};
   bool is_aside = false;
@@ -236,7 +234,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
       } else if (!is_step(before, now) && !(is_aside && is_step(now, before))) {
         return {Mark::incomplete, "In " + line_name(i) + " a step is missing between " +
                                       shown_before + " and " + shown + ", though they are equal." +
-                                      missing()};
+                                      missing(" Show how it follows from ")};
       } else if (is_aside) {
         asides.emplace_back(before, now);
       }
@@ -248,7 +246,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
   if (before == start || !is_finished())
     return {Mark::incomplete, "Every line is right, but what " + e.start +
                                   " is equal to is not yet in the form asked for: " + e.form + "." +
-                                  missing()};
+                                  missing(" This law is missing: ")};
   return {Mark::right, "Right: each line is equal to the one before, and the last is the answer."};
 }
 

@@ -80,8 +80,8 @@ Judgement judge(const Exercise& exercise, const std::string& typed, const Run& r
 
 /// What an answer may be, a line each: choices; or symbols, the name asked for, its form; or none.
 Texts rules(const Exercise& exercise);
-/// For those who were not understood: what may be written, with an example that is not the answer.
-std::string how_to_write(const Exercise& exercise);
+/// What may be written, unless that was said, and an example that does not contain the answer.
+std::string how_to_write(const Exercise& exercise, const std::string& said);
 std::string own_answer(const Exercise& exercise);
 /// What is wrong with the exercise itself: its own answer is not right, it differs from what the
 /// program says, the answer of a misconception is not recognised, or a starter is not wrong.

@@ -2,6 +2,7 @@
 // What an answer lacks of the form that is asked for: factored, one fraction, ...
 #include "equality/normal_form.hpp"
 #include "learn/terms.hpp"
+#include "notation/tokens.hpp"
 
 namespace learn {
 namespace {
@@ -74,9 +75,7 @@ bool hides_product(Expr e, const equality::Domain&) {
 
 /// Also where a factor could be cancelled.
 bool is_no_fraction(Expr e, const equality::Domain&) {
-  const auto has_division = [](Expr part) { return found(part, is_quotient).has_value(); };
-  if (e.op() == Op::Add || is_quotient(e)) return std::ranges::any_of(e.args(), has_division);
-  if (e.op() != Op::Mul) return false;
+  if (e.op() == Op::Add) return found(e, is_quotient).has_value();
   const auto [over, under] = one_fraction(e);
   const auto factors = equality::factorized(polynomial(over));
   for (const auto& [factor, times] : equality::factorized(polynomial(under)))
@@ -91,6 +90,12 @@ bool is_no_fraction(Expr e, const equality::Domain&) {
 bool hides_form(Expr e) {
   return (is_call(e, "exp") || is_call(e, "log") || is_call(e, "raised")) &&
          !notation::symbols_of(e.args().back()).empty();
+}
+
+long divisions(const std::string& typed) {
+  return std::ranges::count_if(notation::tokens(typed), [](const notation::Token& word) {
+    return word.text == "/" || word.text == "frac";
+  });
 }
 
 struct Form {
@@ -108,15 +113,20 @@ const std::vector<Form> all_forms{{"no trigonometric functions", has_angle, " is
 
 Texts forms() { return answers::texts_of(all_forms, &Form::name); }
 
-std::optional<Lack> lacking(const std::string& form, Expr typed, const equality::Domain& domain) {
-  if (form == "factored" && typed.op() == Op::Add) return Lack{typed, " is a sum"};
-  const auto one = std::ranges::find(all_forms, form, &Form::name);
+std::string Terms::lacking(Expr term, const std::string& text) const {
+  const auto one = std::ranges::find(all_forms, exercise.form, &Form::name);
   if (one == all_forms.end()) return {};
-  const auto hidden = found(typed, hides_form, true);
-  if (hidden && one->is_lack != has_angle) return Lack{*hidden, " hides its form"};
-  const auto is_lack = [&](Expr e) { return one->is_lack(e, domain); };
-  const auto part = found(typed, is_lack, one->is_lack == is_difference);
-  return part ? std::optional(Lack{*part, one->lack}) : std::nullopt;
+  if (one->is_lack == hides_product && term.op() == Op::Add)
+    return quoted(text, term) + " is a sum";
+  const auto hidden = found(term, hides_form, true);
+  if (hidden && one->is_lack != has_angle) return quoted(text, *hidden) + " hides its form";
+  const long count = divisions(text) - divisions(exercise.name);
+  if (one->is_lack == is_no_fraction && count > 1)
+    return "there are " + std::to_string(count) + " divisions in it";
+  const equality::Domain where = domain(notation::symbols_of(term));
+  const auto is_lack = [&](Expr e) { return one->is_lack(e, where); };
+  const auto part = found(term, is_lack, one->is_lack == is_difference);
+  return part ? quoted(text, *part) + one->lack : "";
 }
 
 }  // namespace learn

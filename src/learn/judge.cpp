@@ -42,22 +42,24 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
     if (one.mark != Mark::right && one.mark != Mark::other_form) return one;
   }
   const bool is_prediction = e.kind == "predict";
-  const Expr typed = terms.typed_for_name(sides.size() > 2 ? equation(sides.back()) : text, notes);
+  const std::string last = sides.size() > 2 ? equation(sides.back()) : text;
+  const Expr typed = terms.typed_for_name(last, notes);
   if (is_prediction && kernel::is_matrix(typed)) kernel::refuse("a number is asked for");
   const Expr given = terms.in_full(typed);
   if (const std::string foreign = terms.foreign(typed, text); !foreign.empty()) {
     Judgement said = terms.mistake(given, "");
     if (said.feedback.empty()) kernel::refuse(foreign);
+    notes.push_back(foreign);
     return said;
   }
   const Expr expected = terms.in_full(terms.answer());
   Judgement said = terms.compare(given, expected);
   notes.insert(notes.end(), said.notes.begin(), said.notes.end());
   if (said.mark == Mark::right) {
-    const auto lack = lacking(e.form, typed, terms.domain(notation::symbols_of(typed)));
-    if (is_prediction || !lack) return {Mark::right, is_prediction ? happens : "Right."};
-    return {Mark::other_form, "Equal to the answer, but not in the form asked for (" + e.form +
-                                  "): " + terms.quoted(text, lack->part) + lack->why + "."};
+    const std::string lack = terms.lacking(typed, last);
+    if (is_prediction || lack.empty()) return {Mark::right, is_prediction ? happens : "Right."};
+    return {Mark::other_form,
+            "Equal to the answer, but not in the form asked for (" + e.form + "): " + lack + "."};
   }
   if (said.mark != Mark::wrong) return said;
   if (is_prediction && !e.within.empty()) {
@@ -157,8 +159,8 @@ Texts rules(const Exercise& e) {
   for (const std::string& choice : e.choices)
     lines.push_back(std::string(1, char('a' + int(lines.size()))) + ") " + choice);
   if (!e.choices.empty() || e.kind == "code") return lines;
-  lines = {"An answer may use: " + answers::joined(e.symbols)};
-  if (e.symbols.empty()) lines[0] = "An answer is a number";
+  lines = {"An answer is a number"};
+  if (!e.symbols.empty()) lines[0] = "An answer may use: " + answers::joined(e.symbols);
   for (const auto& [name, value] : e.values)
     if (e.symbols.empty()) lines[0] += "; " + name + " = " + value;
   const bool has_name = !e.name.empty() && e.kind != "derivation";
@@ -167,12 +169,21 @@ Texts rules(const Exercise& e) {
   return lines;
 }
 
-std::string how_to_write(const Exercise& e) {
+std::string how_to_write(const Exercise& e, const std::string& said) {
   if (e.kind == "code" || !e.choices.empty()) return "See again: magicmass learn show " + e.id;
-  if (e.kind == "derivation") return rules(e)[0] + ". A line looks like this: " + e.laws[0];
-  if (e.misconceptions.empty()) return rules(e)[0];
-  return rules(e)[0] + ". This can be read, but is not the answer: " +
-         with_numbers(e, e.misconceptions[0].answers[0]);
+  const bool is_said = !matched(said, ".*(a number is asked for|an answer may use).*").empty();
+  const std::string rule = is_said ? "" : rules(e)[0] + ". ";
+  if (e.kind == "derivation") return rule + "A line looks like this: " + e.laws[0];
+  Texts examples;
+  for (const Misconception& m : e.misconceptions)
+    examples.insert(examples.end(), m.answers.begin(), m.answers.end());
+  examples.insert(examples.end(), {"sqrt(7)/9", "22 + 1/13"});
+  const Terms terms(e);
+  const auto is_fit = [&, own = own_answer(e)](const std::string& one) {
+    return one.find(own) == one.npos && terms.foreign(terms.content(one)).empty();
+  };
+  return rule +
+         "This can be read, but is not the answer: " + *std::ranges::find_if(examples, is_fit);
 }
 
 std::string own_answer(const Exercise& e) {

@@ -93,7 +93,7 @@ Judgement with_gaps(Expr given, Expr expected, const equality::Domain& domain) {
 Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symbols.end()) {
   known = symbols;
   for (const auto& [name, text] : e.values) {
-    known.insert(name);
+    if (symbols.empty()) known.insert(name);
     values.emplace(notation::symbol(name), content(text));
   }
   if (!e.run.empty()) values.merge(numbers_of(e.run));
@@ -104,7 +104,8 @@ notation::Typed Terms::typed(const std::string& text, Texts& notes) const {
   const bool is_column =
       exercise.kind == "symbolic" && kernel::is_matrix(answer()) && answer().cols() == 1;
   const notation::Typed read = notation::read_equation(text, symbols, is_column);
-  notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+  for (const std::string& note : read.notes)
+    if (std::ranges::count(notes, note) == 0) notes.push_back(note);
   return read;
 }
 
@@ -172,7 +173,7 @@ std::string Terms::foreign(Expr term, const std::string& typed) const {
          " no place here: " +
          (symbols.empty() ? "a number is asked for"
                           : "an answer may use " + answers::joined(exercise.symbols)) +
-         (std::ranges::includes(units, names) ? ", without units" : "") +
+         (symbols.empty() && std::ranges::includes(units, names) ? ", without units" : "") +
          (other.empty() ? meant(name, is_word ? exercise.symbols : Texts{})
                         : "; is " + other + " meant?");
 }

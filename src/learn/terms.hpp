@@ -35,22 +35,18 @@ public:
   /// The least of what was typed that has this part, where that is short; or the part.
   std::string quoted(const std::string& typed, Expr part) const;
   equality::Domain domain(const std::set<std::string>& symbols) const;
+  /// What a term lacks of the exercise's form, in the words of its text; "" where nothing.
+  std::string lacking(Expr term, const std::string& text) const;
 
   const Exercise& exercise;
 
 private:
-  std::set<std::string> symbols, known;  // those that an answer may use; and with named values
+  std::set<std::string> symbols, known;  // those that an answer may use; of numbers also values
   kernel::Substitution values;           // the exercise's, and what was run
   Judgement compare_numbers(Expr given, Expr expected) const;
 };
 
 Texts forms();
-/// What a typed term lacks of a form: the part that has no place in it; why: " is a difference".
-struct Lack {
-  Expr part;
-  std::string why;
-};
-std::optional<Lack> lacking(const std::string& form, Expr typed, const equality::Domain& domain);
 
 /// Wrong, with the feedback of the first misconception that has an answer that was given.
 Judgement mistake(const Exercise& exercise,

@@ -135,15 +135,6 @@ TEST_CASE("whole angles, collapse, digits of pi and refusals are as in restituti
   }
 }
 
-TEST_CASE("counts change where they do, collapse begins where it does") {
-  for (const double e : {0.3, 0.9, 0x1p-301})  // pi/3 and collapse, and the doubles around them
-    for (const double factor : {1.0, 2.0}) {
-      const double near = (1 + e) / (factor * std::sqrt(e)) - 1;
-      for (const double alpha : {near * (1 - 1e-15), near, near * (1 + 1e-15)})
-        check_count({alpha, 1, e});
-    }
-}
-
 TEST_CASE("what comes to rest or loses nothing has just these numbers") {
   const Terminal wall = fast::terminal({0x1p-40, 0}, 1).value();
   CHECK((wall.b_t == 0 && wall.rho == 0));

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-2.0-or-later
 // Single numbers of both tiers against the oracle: the collision law alone, in rationals and
 // intervals.
-#include <fstream>
 #include <map>
 
 #include <cln/float.h>
 #include <cln/real.h>
 
 #include "catch.hpp"
+#include "rows.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
 #include "src/magicmass/numbers/tiers.hpp"
@@ -148,18 +148,14 @@ TEST_CASE("of every family accurate is rounded right, fast close, and counts are
   }
 }
 TEST_CASE("pinned inputs: where the first edition's single numbers, arrays and stream were worst") {
-  std::ifstream file(MAGICMASS_SOURCE "/tests/generated/worst_inputs.csv");
-  std::string quantity, text, index;
-  std::getline(file, quantity);
-  REQUIRE(quantity == "quantity,alpha,index");
-  int pins = 0;
-  for (; std::getline(file, quantity, ','); ++pins) {
-    std::getline(file, text, ',');
-    std::getline(file, index);
-    INFO(quantity << " at " << text << ", " << index);
+  const auto pins = rows_of("generated/worst_inputs.tsv", 3);
+  CHECK(pins.size() == 114);
+  for (const auto& pin : pins) {
+    const std::string& quantity = pin[0];
+    INFO(quantity << " at " << pin[1] << ", " << pin[2]);
     Table row(1);
-    const double alpha = row.alpha[0] = std::strtod(text.c_str(), nullptr);
-    const std::int64_t n = row.n[0] = std::stoll(index);
+    const double alpha = row.alpha[0] = std::strtod(pin[1].c_str(), nullptr);
+    const std::int64_t n = row.n[0] = std::stoll(pin[2]);
     CHECK(quantities.at(quantity).held(alpha, n) <= quantities.at(quantity).most);
     for (const Calls& tier : tiers) {
       row.fill(tier);
@@ -167,7 +163,6 @@ TEST_CASE("pinned inputs: where the first edition's single numbers, arrays and s
       if (quantity == "terminal") CHECK(row.terminal(0) == tier.terminal(alpha));
     }
   }
-  CHECK(pins == 114);
 }
 TEST_CASE("ratios are rounded right") {
   Random random(31);
