@@ -71,7 +71,7 @@ Program magicmass() {
        .example = "magicmass ratios --count 10 --digits 30",
        .options = {{"count", "K", "how many, 10 unless told otherwise"},
                    digits,
-                   {"polynomials", "", "of least degree; where - stands no square roots exist"}},
+                   {"polynomials", "", "of least degree; - where square roots are not known"}},
        .run = answers::ratios},
       {.name = "equal",
        .summary = "Decides whether two expressions are equal",

@@ -85,8 +85,8 @@ std::string motion_header(const Scene& scene, const Trios& trios) {
   return one_header(
       "restitution", {}, used,
       "template <class Number> struct Scene { Number " + codegen::joined(fields, ", ") +
-          "; };\n/// " + answers::shown_text(scene.source) + ", " + how_many +
-          " collisions; N is their number, rounded; velocities are after collision j, from 0 on; "
+          "; };\n/// " + answers::shown_text(scene.source) + ", collisions: " + how_many +
+          "; N is their number, rounded; velocities are after collision j, from 0 on; "
           "time and position are its own, those of an end are a collapse's.\n"
           "template <class Number>\nScene<Number> scene([[maybe_unused]] std::int64_t j) {\n"
           "  using std::pow;\n  [[maybe_unused]] const Number " +
@@ -104,13 +104,13 @@ std::string scene_header(const std::string& file, std::string form) {
   const auto* block = scene.masses[0].exact();
   const bool is_paper = scene.kind == Kind::three_body && trio && trio->is_at_rest() &&
                         block != nullptr && scene.masses[2].is(*block) && scene.restitution.is(1);
-  if (form.empty()) form = is_paper ? "tangent" : "restitution";
+  if (form.empty()) form = is_paper && !scene.wants("events") ? "tangent" : "restitution";
   const auto trios = Trios::of(scene);
   const bool is_any = trios && trios->alone() && trios->thrown() == 0 && form == "restitution";
   if (scene.kind == Kind::chain || !(is_paper || is_any))
     throw InvalidInput(scene.source +
                        ": no evaluators for this scene; allowed: three bodies, or two and a wall, "
-                       "where the ball is met first; but for the form restitution the paper's");
+                       "where the ball is met first; in other forms the paper's bodies, e = 1");
   for (const char* const key : {"until", "max_events", "every"})
     if (scene.has(key))
       refuse_key(scene, key, "evaluators cover all collisions", "a scene without it");
