@@ -73,7 +73,7 @@ struct PlainForm {
   double most_in_float = infinity;
 };
 /// All forms of one name in one header, with the outputs that are wanted (none named: all) and what
-/// those need. Refused: a wanted output that there is none of; what may over- or underflow.
+/// those need, and more code. Refused: an output that is nowhere; what may over- or underflow.
 Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
-                   const std::set<std::string>& wanted = {});
+                   const std::set<std::string>& wanted = {}, const std::string& more = "");
 }  // namespace codegen

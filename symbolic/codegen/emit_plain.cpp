@@ -171,7 +171,7 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
 }  // namespace
 
 Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
-                   const std::set<std::string>& wanted) {
+                   const std::set<std::string>& wanted, const std::string& more) {
   const std::string& form = forms.at(0).form;
   const bool is_exact = form == "exact";
   Emitted result{(is_exact ? "exact/" : "plain/") + form + ".hpp", "", {}};
@@ -180,6 +180,7 @@ Emitted emit_plain(const std::vector<PlainForm>& forms, const Ids& ids,
     for (const Theorem& t : f.quantity.cases.at(0).outputs) all.insert(output_name(t));
     emit_function(f, ids, wanted, result, functions);
   }
+  result.header += more;
   if (!functions.empty())
     result.header = "using std::" + joined({functions.begin(), functions.end()}, ", std::") +
                     ";\n" + result.header;

@@ -196,7 +196,6 @@ std::string selected(const std::string& form, const std::set<std::string>& outpu
       forms.push_back(f);
   if (forms.empty())
     throw Refused("no form " + form + "; allowed: closed, product, tangent, exact, restitution");
-  std::string header = codegen::emit_plain(forms, inventory().source.ids, outputs).header;
-  return header.insert(header.rfind("}  // namespace"), codegen::broken(more));
+  return codegen::emit_plain(forms, inventory().source.ids, outputs, more).header;
 }
 }  // namespace generate
