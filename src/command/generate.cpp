@@ -86,8 +86,8 @@ std::string motion_header(const Scene& scene, const Trios& trios) {
       "restitution", {}, used,
       "template <class Number> struct Scene { Number " + codegen::joined(fields, ", ") +
           "; };\n/// " + answers::shown_text(scene.source) + ", collisions: " + how_many +
-          "; N is their number, rounded; velocities are after collision j, from 0 on; "
-          "time and position are its own, those of an end are a collapse's.\n"
+          "; N is computed with rounding; v_A and the like hold after collision j (from 0); "
+          "time and position are its own; end_time and the like are of the collapse.\n"
           "template <class Number>\nScene<Number> scene([[maybe_unused]] std::int64_t j) {\n"
           "  using std::pow;\n  [[maybe_unused]] const Number " +
           codegen::joined(given, ", ") + ";\n" + lines + "  return {" +
@@ -110,7 +110,7 @@ std::string scene_header(const std::string& file, std::string form) {
   if (scene.kind == Kind::chain || !(is_paper || is_any))
     throw InvalidInput(scene.source +
                        ": no evaluators for this scene; allowed: three bodies, or two and a wall, "
-                       "where the ball is met first; in other forms the paper's bodies, e = 1");
+                       "where the ball is met first (other forms: equal blocks, A moves, e = 1)");
   for (const char* const key : {"until", "max_events", "every"})
     if (scene.has(key))
       refuse_key(scene, key, "evaluators cover all collisions", "a scene without it");
