@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # The tests of the arithmetic on another processor, and the pinned fingerprint of the arrays, under
 # qemu. Needs g++-aarch64-linux-gnu and qemu-user (setup --all) and Catch2 2, which is headers alone.
 set -euo pipefail

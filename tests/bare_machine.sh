@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # The README's commands on a machine that has a release and git and nothing else: HEAD cloned into a
 # bare root that debootstrap makes. Both must pass without a warning, and generate the same bytes.
 # Needs root, debootstrap (Debian: debootstrap) and a network.

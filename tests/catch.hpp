@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The one way to Catch2: version 2 in Debian 12, version 3 in Debian 13, under version 3's names.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The main program of Catch2 version 2; version 3 has its own.
 #define CATCH_CONFIG_MAIN
 #include <catch2/catch.hpp>

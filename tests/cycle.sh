@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # How long one edit takes to its own tests' verdict, in a build that is up to date: cycle.sh [BUILD]. Prints three times.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

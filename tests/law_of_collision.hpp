@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Three bodies by the law of one collision alone: the oracle of theorems and of answers.
 #pragma once
 

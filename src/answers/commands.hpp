@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Commands that answer in numbers or decide, questions in their words, the data of figures.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 #include "answers/derivation.hpp"
 
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What an answer throws instead: one line, fit to be shown. Words of others in messages of ours.
 #pragma once
 

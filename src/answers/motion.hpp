@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Counts and velocities for a mass ratio as it is written, from the book's theorems.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Nothing here depends on the locale.
 #include "answers/request.hpp"
 

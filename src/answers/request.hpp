@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What is asked: words as they were typed, or as a row of CSV has them.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Writing is ours since counts are integers of any size, which JSON libraries do not hold.
 #include "answers/table.hpp"
 

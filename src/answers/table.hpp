@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Answers are tables that know their columns; they are written as text, JSON or CSV.
 #pragma once
 

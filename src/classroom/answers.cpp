@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Answers in files, and what was said to those of this user.
 #include <cctype>
 #include <cerrno>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // learn: exercises, and answers of others, judged where they can do no harm, and remembered.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The program in which an exercise's driver and an answer in code run: it reads the cases before
 // any other code runs, hands each to call(), and writes results to descriptor 3 behind a seal.
 #include <cstdio>

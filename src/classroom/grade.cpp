@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The answers of a class: a folder for each student, a file for each answer.
 #include "classroom/classroom.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Programs of others, compiled and run where they can do nothing but compute.
 #include <cerrno>
 #include <csignal>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Looks at the times of change: that works on every file system, for every way to save.
 #include <chrono>
 #include <thread>

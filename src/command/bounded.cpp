@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A child holds one end of a pipe: a byte on it says that output begins, its end is the child's.
 // How many rows are done stands in memory that both share.
 #include <array>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A command is a row of a table: it feeds the parser, help, and what runs it.
 #pragma once
 

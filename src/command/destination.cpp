@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // O_TMPFILE, linkat and rename; an O_EXCL name where the file system knows no files without one.
 #include <cerrno>
 #include <filesystem>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Commands that write files or start programs, so that they are no pure answers.
 #pragma once
 

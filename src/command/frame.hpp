@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // From words of the command line to a request; the bound on time and memory around what answers it.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 #include "command/command.hpp"
 
 int main(int argc, char** argv) {

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // CLI11 writes help. It would read some words in ways that surprise: 010 as 8, -x as an option.
 #include <algorithm>
 #include <memory>

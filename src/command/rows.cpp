@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Reading by bytes: what a file holds decides, not its locale.
 #include <algorithm>
 #include <cerrno>

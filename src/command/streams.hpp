@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What rows come from, and where an answer goes.
 #pragma once
 

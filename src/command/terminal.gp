@@ -1,4 +1,3 @@
-# SPDX-License-Identifier: GPL-2.0-or-later
 # Before every figure: `format` is set, and `size`, width and height in the units of SVG.
 set encoding utf8
 width = words(size) == 2 ? word(size, 1) + 0 : 600

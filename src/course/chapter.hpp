@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A chapter of the course: a text around a program, and the page that is made of both.
 // In the text, outside of code:
 //   {{name}}                  what the program printed under that name

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // magicmass_course TUTORIALS OUT: the course's pages from the tutorials and OUT/figures/*.svg.
 #include <fstream>
 #include <iostream>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // How a page shows what a program printed, and a frame around what chapters say.
 #include "course/chapter.hpp"
 #include "notation/typed.hpp"

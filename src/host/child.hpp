@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Another program, its input and output in memory, its files in a folder for the time being.
 #pragma once
 

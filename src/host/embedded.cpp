@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 #include "host/embedded.hpp"
 
 const std::map<std::string, std::string>& host::embedded() {

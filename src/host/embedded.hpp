@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Files that CMake puts into the program: the gnuplot scripts, the paper's numbers, exercises.
 #pragma once
 

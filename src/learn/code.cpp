@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Programs, held against exact results at just the doubles that they are given.
 #include <cmath>
 #include <limits>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Derivations, a line after the other: each must be true, and a small step from what stands before.
 #include <span>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // An exercise: TOML that a teacher edits. What is said to an answer: never a guess. Texts, cut.
 #pragma once
 

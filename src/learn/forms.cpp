@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What an answer lacks of the form that is asked for: factored, one fraction, ...
 #include "equality/normal_form.hpp"
 #include "learn/terms.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // An exercise's expressions: read, given their values, compared.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Errors and times of each implementation on each family of difficult inputs.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The paper's formulas typed by hand, as anybody would who needs the numbers, V = 1: the baseline
 // of ratios, in the benchmark, too; known to be bad near thresholds. Nobody else may call this.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Speed against error, as an answer; METHOD.md says how it is measured.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The cosine and the sine of pi/d in square roots, for d = 1, 3, 5, 15 and halves of these angles.
 #include "algebra/tactics.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Tactics: each finds a proof that the kernel then checks, so that nothing here is trusted;
 // Refused where there is none.
 #pragma once

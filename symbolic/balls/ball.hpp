@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Fixed-point balls: a midpoint and a radius, both whole multiples of 2^-bits. What is exact lies
 // within. One ball type serves scenes, certified digits and the decision of equality. And exact
 // numbers with square roots.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Makers of nodes: the choice of the cheapest operation, powers of two taken outside, ranges.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The loop over the bits of an index, and its calls.
 #include "codegen/emit.hpp"
 

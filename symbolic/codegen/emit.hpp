@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What is emitted: DoubleDouble evaluators, templates over a tier and a number type; formulas
 // as plain functions of any number type; what generated/manifest.json says of each.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The header of a quantity: its structures, its cases (bounds of all tiers, members, stages, tests)
 // and the choice among them.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // One function template a quantity, one branch a case; others are refused at run time.
 #include <algorithm>
 #include <cmath>

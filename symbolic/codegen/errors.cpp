@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The rules: how errors of operands become the error of a result.
 #include "codegen/errors.hpp"
 

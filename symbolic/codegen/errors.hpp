@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Error analysis: each node's |computed - exact|, from the table of operations alone, as a form:
 // a sum of constants times sizes of computed values.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Rationals and doubles; outward rounding by stepping to neighbours.
 #include "codegen/exact.hpp"
 

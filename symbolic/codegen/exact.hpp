@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Between rationals and doubles, exactly; numbers as the generator prints them; closed intervals of
 // doubles, rounded outwards: one step after each of + - * / sqrt, four after a function of libm
 // (the bounds of GNU's, musl's and FreeBSD's are below one and a half).

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Hypotheses and parameters against intervals.
 #include <algorithm>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Reads theorems: definitions and outputs into nodes, facts and guards into ranges.
 #include "codegen/lower.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // From theorems to a program: what must hold of a theorem before it is taken, and how it is read;
 // the maker of nodes, one for each different operation on the same operands, with its range.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The table's entries, each with its source. x, y: how large the operands' low parts are against
 // their high parts. u: half an ulp of 1. Nothing over- or underflows: ranges see to that.
 // [JMP]   Joldes, Muller, Popescu, ACM TOMS 44 (2017), 15res; as corrected by Muller, Rideau, ACM

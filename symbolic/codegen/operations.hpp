@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // THE table: what each operation of a number type loses, and how large a low part it leaves. Every
 // bound of a result comes from here.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A Taylor series, economised in Chebyshev's basis, cut, rounded; and its error.
 #include "codegen/emit.hpp"
 #include "codegen/operations.hpp"

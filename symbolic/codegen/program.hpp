@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The intermediate representation: operations in single assignment, in the order of their making.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The spelling of each operation in the runtime; and as it is typed, with no more brackets than it
 // takes.
 #include <algorithm>

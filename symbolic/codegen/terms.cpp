@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Terms into nodes: fractions, powers of two, ceilings.
 #include <algorithm>
 

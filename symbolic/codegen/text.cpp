@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Breaking lines, the head of each file, and JSON, whose strings here need no escapes.
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Arithmetic by certificate. The kernel multiplies by what is not 0 to clear inverses; here each
 // inverse w of d is a variable with w d - 1 = 0, and cofactors of these equations are found, so
 // that the certificate is one identity of polynomials.

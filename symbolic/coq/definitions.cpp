@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Definitions of Coq for those of the kernel, each before its first use.
 #include "coq/script.hpp"
 #include "kernel/names.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // That two terms are equal as polynomials, two formulas the same up to that: each term is proved
 // equal to its canonical form, once, from what its atoms are equal to.
 #include <numeric>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Lemmas of Coq, one a step of the kernel, each proved from its premises by what the step records.
 // Coq's names that are made here have a ' inside, which no name of the kernel has.
 #pragma once

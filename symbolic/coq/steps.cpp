@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // One proof for each rule of the kernel.
 #include <algorithm>
 

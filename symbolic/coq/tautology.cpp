@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Propositional logic: parts with one canonical form become one variable; l <= r is not r < l.
 #include "coq/script.hpp"
 #include "kernel/polynomial.hpp"

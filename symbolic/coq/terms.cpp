@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // One line of Coq for each operation of the kernel.
 
 #include "coq/script.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Three bodies from any start: how fast they approach, how often they collide, when and where.
 #include "derivation/wedge.hpp"
 

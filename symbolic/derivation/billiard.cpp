@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Redner's billiard: with each place times the root of the mass a collision is a mirror.
 #include "derivation/wedge.hpp"
 

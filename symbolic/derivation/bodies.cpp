@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Forms for evaluation: three bodies of any masses, or two and a wall, with restitution.
 #include "derivation/wedge.hpp"
 

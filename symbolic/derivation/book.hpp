@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The book: chapters of shown theorems, in the order in which they are proved.
 #pragma once
 #include <functional>

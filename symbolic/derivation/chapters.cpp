@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The one place where chapters are put in order.
 #include <algorithm>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Chebyshev's polynomials of the second kind, U_j: sines where their argument is a cosine, never
 // falling where it is 1 or more.
 #include "derivation/wedge.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Collisions that never end: where inelastic collapse begins.
 #include "derivation/wedge.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What makes the last collision of a block its last one; both counts from the whole part of pi/psi
 // and the rest.
 #include "derivation/symbols.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // One collision of two bodies: from momentum and energy to the velocities after it, and to the
 // matrix Gamma.
 #include "derivation/symbols.hpp"

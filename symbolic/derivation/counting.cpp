@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What happens: a collision takes place as long as its two bodies approach. How many there are.
 #include "derivation/symbols.hpp"
 

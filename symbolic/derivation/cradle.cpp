@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Newton's cradle of the paper: equal blocks with balls of magic ratios between them, and how much
 // room each ball must leave for the one before it.
 #include "derivation/wedge.hpp"

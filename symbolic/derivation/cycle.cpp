@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The motion: one sequence of all collisions, P_1, Q_1, P_2, ...; what each one keeps, and the
 // matrix Lambda of a cycle: V_n = Lambda V_(n-1).
 #include "derivation/symbols.hpp"

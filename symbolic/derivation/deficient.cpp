@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // At alpha = beta_k B and the ball go on together.
 #include "derivation/symbols.hpp"
 

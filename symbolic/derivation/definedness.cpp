@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Do the terms of a shown statement make sense? The kernel says what they need; it is proved here,
 // or the statement is not shown.
 #include <algorithm>

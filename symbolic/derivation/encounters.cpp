@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // When and where the paper's collisions take place: blocks of mass 1, a ball of mass alpha, nothing
 // lost.
 #include "derivation/wedge.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // How three bodies of any masses end where their collisions do: velocities, and their order.
 #include "derivation/wedge.hpp"
 

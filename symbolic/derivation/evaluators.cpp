@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The forms that are evaluated: from tan(psi/4) and cot(psi/2), without cancellation or overflow.
 #include "derivation/evaluators.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What the chapters of evaluated forms share: names for parts of a form, the angle.
 #pragma once
 #include "derivation/symbols.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Evaluated forms of the time and distance of a collision, from a sine and a cosine of j psi/4.
 #include "derivation/evaluators.hpp"
 #include "derivation/wedge.hpp"

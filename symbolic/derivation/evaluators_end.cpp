@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Evaluated forms of the terminal velocities and counts.
 #include "derivation/evaluators.hpp"
 

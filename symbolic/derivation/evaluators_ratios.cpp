@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Evaluated forms of alpha_k and beta_k, from the sine of half of their angle.
 #include "derivation/symbols.hpp"
 

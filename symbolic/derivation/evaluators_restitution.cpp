@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Evaluated forms of the terminal velocities with restitution, of any masses; that of A is 1.
 #include "derivation/evaluators.hpp"
 #include "derivation/wedge.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Forms without roots, for any field: all velocities from T_m = cos(m psi/2), which is found by
 // doubling the index.
 #include "derivation/symbols.hpp"

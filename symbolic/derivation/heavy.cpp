@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A ball that is not lighter than a block has one collision with each: rational velocities.
 #include "derivation/evaluators.hpp"
 

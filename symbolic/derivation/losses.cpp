@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What each collision takes from the energy of any motion, and all of them together.
 #include "derivation/wedge.hpp"
 

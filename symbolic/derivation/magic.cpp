@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // At alpha = alpha_k B takes everything.
 #include "derivation/symbols.hpp"
 

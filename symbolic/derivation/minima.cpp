@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // B's terminal velocity: V at the magic ratios only, least at the deficient ones.
 #include "derivation/symbols.hpp"
 

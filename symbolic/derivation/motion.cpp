@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The motion from rest, in which only A moves at the start.
 #include "derivation/wedge.hpp"
 

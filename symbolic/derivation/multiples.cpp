@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Cosines and sines of n x as sums of powers, and of (n + r) x: by Pascal's rule.
 #include "derivation/symbols.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Orthogonal matrices of the plane and of space: which of them are rotations.
 #include "derivation/symbols.hpp"
 

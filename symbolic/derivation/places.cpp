@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // When and where the collisions take place: the motion from any start, with the ball and B at rest.
 #include "derivation/wedge.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Lambda^n, and with it the velocities after n cycles, for every n, under alpha > 0 alone.
 #include "derivation/symbols.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The first ratios in square roots; for a seventeenth of pi, sums of cosines solve four quadratic
 // equations (Gauss' periods).
 #include "derivation/symbols.hpp"

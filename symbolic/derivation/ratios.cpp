@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The mass ratios at which the counts change: N_A = k if and only if alpha_k <= alpha <
 // alpha_(k-1); beta_k for N_B.
 #include "derivation/symbols.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Collisions that lose energy, and the motion of three bodies of any masses from any start: how
 // fast the two of each collision approach before it.
 #include "derivation/wedge.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Lambda is a rotation by psi about one axis: the frame R in which it is lambda_3(psi).
 #include "derivation/symbols.hpp"
 

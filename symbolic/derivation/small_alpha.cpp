@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Small mass ratios: the ranges of theta and psi, and what the paper approximates as bounds from
 // both sides.
 #include "derivation/symbols.hpp"

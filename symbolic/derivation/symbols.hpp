@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The paper's symbols as terms, and what every chapter includes.
 #pragma once
 #include "algebra/tactics.hpp"

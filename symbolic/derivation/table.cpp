@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The rest of the paper's table: roots in one piece, and tangents.
 #include "derivation/symbols.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The terminal velocities: their forms, order and signs; on the way A slows down and B speeds up.
 #include "derivation/symbols.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What collisions that lose energy let through: the paper's four equations, and the share that B
 // has after one cycle and after two.
 #include "derivation/wedge.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The path of Redner's billiard, unfolded in the wedge, is a straight line.
 #include "derivation/wedge.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A wall in place of B, and masses T^2 and 1: they collide nearly pi T times, which for a power of
 // ten are digits of pi.
 #include "derivation/wedge.hpp"

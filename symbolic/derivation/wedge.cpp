@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Three bodies of any masses with restitution are a ray in a wedge: its shape, and its angle.
 #include "derivation/wedge.hpp"
 

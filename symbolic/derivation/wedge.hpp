@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Symbols of the motion of three bodies of any masses with restitution.
 #pragma once
 #include "derivation/symbols.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Inverse angles: 2 atan(x) and asin(2x/(1 + x^2)) are one angle up to turns: a point decides.
 #include "equality/normal_form.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What the kernel proves again from its own rules: equations of terms built by +, *, /, roots, and
 // sines of parts of pi.
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The bound of separation is that of Burnikel, Funke, Mehlhorn, Schirra and Schmitt (A Separation
 // Bound for Real Algebraic Expressions, Algorithmica 55, 2009): a value but 0 is at least
 // 1/(u^(D-1) l); u and l bound conjugates of a numerator and a denominator in a field of degree D.

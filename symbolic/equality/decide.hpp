@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Constants: balls and exact signs. Domains: a range for each symbol, and further conditions.
 #pragma once
 

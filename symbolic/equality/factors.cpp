@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Sums as products: what all terms share, then the factors of a polynomial in what is left.
 #include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // From terms to normal forms.
 #include "equality/normal_form.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // One normal form for all that people type: sums of products of powers, where the exponents are
 // polynomials. exp(u) is e^u; cos(u) and sin(u) are sums of z^u and z^-u, z^u = cos(u) + i sin(u);
 // roots are fractional powers; log(u) is a sum of logarithms of atoms; |u| is a product of moduli.

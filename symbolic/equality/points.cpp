@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Points of a domain to try, and what terms are there.
 #include "equality/normal_form.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What terms need to have a value, and what is known where that holds.
 #include "equality/normal_form.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Whether a normal form is 0, and signs that are certain all over a domain.
 #include "equality/normal_form.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Sums of products of powers: arithmetic, and how they are written as terms again.
 #include <limits>
 

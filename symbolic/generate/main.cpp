@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Writes generated/ from the theorems; links no numbers, so it runs while generated/ is stale.
 #include <cstdio>
 #include <exception>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Reads quantities.txt and hands its theorems to the generator.
 #include "generate/quantities.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // All that is generated: which theorems, on which intervals; quantities.txt says so.
 #pragma once
 #include <set>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A folder of files, written whole or compared.
 #pragma once
 #include <map>

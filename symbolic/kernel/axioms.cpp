@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The axioms of real analysis, one a line: each is true for ALL values of its variables, x, y real
 // and i, j integer. This is the one place that could say what 1/0 is; it does not, and nothing
 // needs it.

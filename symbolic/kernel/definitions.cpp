@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Definitions: a new name (declare refuses a used one) for a function of its parameters, which are
 // distinct variables and all that the definition depends on. So the function exists, whatever else
 // is assumed, and no instance can separate a name from what it depends on.

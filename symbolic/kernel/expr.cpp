@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The table of all trees, and make(), which checks each before it enters.
 #include "kernel/expr.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Terms, matrices and formulas: one immutable, interned tree. Equal trees are the same Expr.
 //
 // Nothing is simplified here: what is written is what is kept (only (a + b) + c and (a * b) * c are

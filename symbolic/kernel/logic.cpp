@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The rules of logic. Above each stands why it is sound.
 #include <algorithm>
 

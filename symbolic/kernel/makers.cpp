@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Terms, formulas and matrices by their everyday names.
 
 #include "kernel/expr.hpp"

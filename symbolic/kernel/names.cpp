@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The table of names, and what keeps two things from printing alike.
 #include "kernel/names.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Names: variables with their sorts, functions with their signatures. A name is one thing for ever,
 // and no two things print alike. A name is a letter, then letters, digits, underscores, at most one
 // prime at the end, and no word of the notation.

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Polynomials, and the canonical form of a formula.
 #include "kernel/polynomial.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Polynomials with rational coefficients over opaque atoms: variables, bound indices, functions of
 // canonical arguments, entries. The only algebra that the kernel trusts: +, *, comparison with 0.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The printer. Each piece is printed with its level; what binds less than it must gets brackets.
 #include <algorithm>
 #include <optional>

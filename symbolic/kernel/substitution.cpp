@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Substitution, replacement, binding and opening: one walk that rebuilds a tree bottom-up.
 #include <functional>
 

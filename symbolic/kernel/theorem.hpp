@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A theorem is hypotheses |- conclusion, and only the rules below make one.
 //
 // H |- c says: for all values of the free variables (real or integer, by their sort) for which

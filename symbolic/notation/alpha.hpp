@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The mass ratio alpha = m/M, as somebody writes it: positive, finite, of unit 1.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The reader: one function for each level of the printer.
 #include <deque>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Where what people type has two readings: it is refused with both, or a note says how it was read.
 #pragma once
 

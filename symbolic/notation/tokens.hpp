@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What people type, cut into the same words from plain text, Unicode and LaTeX; what they become.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The reader of what people type: one function for each level of binding.
 #include "notation/typed.hpp"
 

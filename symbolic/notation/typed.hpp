@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Reads terms, matrices and formulas as the kernel prints them, and what people type: plain text,
 // Unicode, LaTeX. What has two usual readings is refused with both, or a note says how it was read.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Formulas, and a derivation as a page: text of 80 columns if words fit, Markdown, LaTeX, HTML.
 #pragma once
 

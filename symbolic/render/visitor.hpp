@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The one visitor of formulas: it decides structure, parentheses and signs; a notation writes them.
 #pragma once
 

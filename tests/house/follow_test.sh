@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # The page "Follow a_n" in CONTRIBUTING.md: at most 18 files, 5 of them chapters, of the rooms between the law and an array
 # of numbers; each is there, and is built or included. A page that is spoiled is refused.
 set -euo pipefail

@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # Each rule of the house can fail: broken one at a time in a small copy, it is named.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -44,6 +43,8 @@ fresh && printf '\nvoid f();\n' >"$copy/symbolic/kernel/a.txt" && expect "a.txt:
 fresh && printf 'f(x) is a function;\n' >"$copy/symbolic/kernel/a.txt" && expect ""
 fresh && mkdir "$copy/tests" && echo 'edited lost.cpp kernel' >"$copy/tests/cycle.sh" && expect "tests/cycle.sh: no file lost.cpp"
 fresh && echo '#ifdef __AVX2__' >>"$copy/symbolic/kernel/a.cpp" && expect "a.cpp: names a processor"
+fresh && mkdir "$copy/generated" && echo '// SPDX-License-Identifier: MIT' >"$copy/generated/a.hpp" && expect ""
+fresh && mkdir "$copy/generated" && echo '// SPDX-License-Identifier: BSD' >"$copy/generated/a.hpp" && expect "generated/a.hpp:1: is under MIT"
 fresh && echo 'int a;' >"$copy/lost.cpp" && expect "lost.cpp: is in no room"
 fresh && for _ in {1..1500}; do echo true; done >"$copy/long.sh" && expect "scripts: 15"
 fresh && echo '#include "codegen/b.hpp"' >>"$copy/symbolic/kernel/a.cpp" && expect "symbolic/kernel may not see symbolic/codegen"

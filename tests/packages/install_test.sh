@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # Installs a build into an empty prefix, and there uses it in each way that is offered:
 # install_test.sh BUILD EXAMPLES. Also: examples as the README has them print what they should.
 set -euo pipefail

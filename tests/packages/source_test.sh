@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # Uses a checkout as it is, without installing it: source_test.sh SOURCE. Inside of another project, whose library it may
 # go into (position-independent code), and whose warnings are not ours; and alone, without the symbolic part and what that
 # needs, installed into folders of other names.

@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # Bends each rule of a room of symbolic/ as its mutants.txt says, and drops each guard in turn: the tests must turn red.
 # usage: mutants.sh ROOM SECONDS SOURCE_DIR COMPILER OPTIMIZATION TEST_OBJECT_OR_LIBRARY...
 set -euo pipefail

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // One collision of two bodies: what the laws say, what follows, and what a spoiled law would do.
 #include <cstdio>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // One cycle as a matrix: two mirrors, applied one after the other, again and again.
 #include <array>
 #include <cmath>

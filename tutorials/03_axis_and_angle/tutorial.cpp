@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The axis and the angle of one cycle, and the vector of velocities on its circle.
 #include <array>
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // All velocities in closed form: exact fractions by formula and by stepping; then a leap.
 #include <bit>
 #include <cstdint>

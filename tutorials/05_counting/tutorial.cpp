@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // How many collisions: approach speeds one by one, the exact count, and a count that goes wrong.
 #include <cmath>
 #include <cstdio>

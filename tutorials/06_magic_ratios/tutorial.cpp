@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Magic mass ratios: what the nearest doubles give, and what is lost when the mass is nearly right.
 #include <cstdio>
 

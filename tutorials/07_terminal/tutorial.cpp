@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The end of the story for many mass ratios: the order of the bodies, and how little B can get.
 #include <cstdio>
 

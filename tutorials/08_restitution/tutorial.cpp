@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Collisions that lose energy: what still arrives at B, and collisions that never end.
 #include <cstdio>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Times and places of collisions: by simulation, by formula, and as points of a straight line.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A ball between a block and a wall: counting collisions, and the digits of pi among the counts.
 #include <array>
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A cradle with magic balls between its blocks; and what happens without gaps.
 #include <cstdio>
 #include <string>

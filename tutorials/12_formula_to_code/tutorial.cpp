@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // From theorems to C++: the velocities of the blocks through the generator.
 #include <cstdio>
 #include <numeric>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Equal formulas, unequal errors: the same velocities by five evaluators, against exact fractions.
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The two families are typed here by their definition, sec x - 1 (Ee & Lee, Table II), so that the
 // oracle shares nothing with what is derived and generated.
 #include "magicmass/oracle/certain.hpp"

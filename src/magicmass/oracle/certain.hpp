@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The mass ratios that the oracle answers for: rationals, and the paper's two families. Its
 // answers: "raise the precision until the rounding is certain", once for all quantities. CLN keeps
 // its own books: one thread at a time.

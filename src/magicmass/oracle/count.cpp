@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Large counts are found by bisection on the signs of closing speeds.
 #include "magicmass/oracle/certain.hpp"
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Each end is computed exactly and then rounded down or up to a multiple of 2^-p.
 #include "magicmass/oracle/interval.hpp"
 

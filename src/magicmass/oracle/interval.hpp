@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Intervals low/2^p <= x <= high/2^p; each operation rounds outward, so the true value stays in.
 #pragma once
 

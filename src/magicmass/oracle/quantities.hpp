@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The law of one elastic collision as a linear map of the velocities (a, b, c), and its powers:
 // all that the oracle knows of the physics. What is asked of it: counts, and numbers in units of V
 // after j collisions at the most, as functions of alpha over rationals or intervals.

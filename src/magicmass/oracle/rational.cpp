@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Doubles by their bits, rationals by comparison; no floating-point rounding takes part.
 #include "magicmass/oracle/rational.hpp"
 

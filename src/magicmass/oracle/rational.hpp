@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Between doubles and exact rationals; every rounding is to nearest, ties to even.
 #pragma once
 

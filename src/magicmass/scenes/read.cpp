@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // From a file to a scene: a table of keys, and what they mean together.
 #include <sstream>
 

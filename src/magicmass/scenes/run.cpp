@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 #include "magicmass/scenes/run.hpp"
 
 #include "magicmass/exact/exact.hpp"

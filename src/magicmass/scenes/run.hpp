@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What a scene needs, and its motion.
 #pragma once
 

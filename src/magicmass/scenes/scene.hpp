@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A scene: bodies on a line and what is asked of them, read from a file of TOML; its numbers, and
 // balls with as many bits as it takes.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The motions that theorems tell, counted, not stepped: of a ball between two blocks, or a block
 // and a wall, with any masses, restitution and start; and of Newton's cradle of the paper, where
 // equal blocks with balls of magic ratios between them are one trio after the other, to a wall and

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Answers from theorems against the oracle and exact steps, which know the collision law alone.
 // Minimal polynomials: roots by doubles beside them; no factor, since their degree is the field's.
 #include "answers/motion.hpp"

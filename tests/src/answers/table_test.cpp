@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Tables as text, JSON and CSV.
 #include "answers/table.hpp"
 

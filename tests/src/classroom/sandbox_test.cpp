@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Programs of others: each attack ends with a line that says why, and leaves nothing behind.
 #include <csignal>
 #include <cstdlib>

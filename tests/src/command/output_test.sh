@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # Where an answer goes: whole or not at all, beside what others have there. output_test.sh PROGRAM
 set -euo pipefail
 export LC_ALL=C

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A program on the frame of magicmass whose commands do what may go wrong.
 #include <chrono>
 #include <csignal>

@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # Replays sessions: sessions.sh [--update] FOLDER NAME=PROGRAM... A session is FOLDER/sessions/*.txt, or session.txt of a
 # chapter of tutorials/, which is at hand: after each line "$ COMMAND" what it prints, stderr too, and "[exit N]" where N is
 # not 0. --update writes what is printed now.

@@ -1,5 +1,4 @@
 #!/usr/bin/env bash
-# SPDX-License-Identifier: GPL-2.0-or-later
 # chapters.sh TUTORIALS: each chapter begins with its title, its goal and a figure; TEACHERS.md names exercises and chapters
 # that exist. Then the same of copies in which one of these is spoilt: each is refused.
 # shellcheck disable=SC2016  # backquotes of Markdown

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // A chapter becomes a page; what would drift from the program or the proofs is refused.
 #include "answers/derivation.hpp"
 #include "catch.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What is said to answers, to exercises that are not sound, and to files that are no exercises.
 #include <cmath>
 

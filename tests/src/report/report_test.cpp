@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The report finds what is wrong, where it is wrong, and nothing else.
 #include "report/report.hpp"
 

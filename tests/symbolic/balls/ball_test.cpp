@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Balls hold what is exact, and roundings are given only where they are certain.
 #include "balls/ball.hpp"
 

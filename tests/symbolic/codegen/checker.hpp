@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // An independent check of what each term of a theorem may be off by, in all tiers and MPFR: it sees
 // nothing of the generator, nor of its table. At a point of a case it walks the theorems' terms
 // itself, in balls, and counts the roundings of the runtime's operations, each at most half an ulp,

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What the checker finds at random points of each case, against the bounds that are printed,
 // outputs and signs: one below what is found is too small. A named value is checked and then taken
 // to be as far off as is printed: the next step's bound has to hold for that, and parts of one sum

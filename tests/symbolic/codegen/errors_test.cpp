@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The rules of the error analysis one by one, on programs made by hand: their guards, and bounds
 // beside the sum of what the table says of each step: a term that is dropped is missing there.
 #include "codegen/errors.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Gappa proves the table's entries from each operation's sequence of roundings, what is lost and
 // how large a low part is left, and refuses half of each. High parts are scaled to 1, low parts are
 // x and y of them; d1, d2, ... are the roundings of the operations in their order, at most u. That

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The table, entry by entry, against the runtime's own operations on traced numbers: all roundings
 // at their most, and what is dropped as it is, in exact rationals. Over what an entry allows it is
 // wrong; at half of it or less, a halved entry would do, and fails here.

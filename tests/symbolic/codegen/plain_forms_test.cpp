@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Plain, exact and matrix forms as they are generated, against the law of one collision, applied
 // again and again in rationals; each domain at its ends, from both sides.
 #include <cmath>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What the generator must not accept: each finding of the audit of its forerunner, and each guard
 // of the reader, of plain and exact forms and doublings, too; at edges from both sides.
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // coqc accepts what is emitted for each rule, kind of definition and axiom, and nothing spoiled.
 #include <cstdlib>
 #include <regex>

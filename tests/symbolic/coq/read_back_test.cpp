@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The statements in the emitted files are those of the kernel: read back, they are the same terms.
 // So what writes them need not be trusted for what the theorems say.
 #include <cmath>

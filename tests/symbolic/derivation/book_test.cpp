@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The book is proved; a wrong formula, law or shape in its place is not.
 #include <algorithm>
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers from the law of one collision alone: a body is reflected at the velocity of the common
 // centre of mass. Nothing here is read from the book.
 #include "motion.hpp"

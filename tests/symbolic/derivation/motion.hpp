@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The second net: a formula's truth at a point, to 50 digits, from the law of one collision.
 #pragma once
 #include <string>

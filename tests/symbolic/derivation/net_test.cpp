@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Each theorem of the book at random points, and false statements beside true ones that are seen;
 // the paper's labels.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Verdicts on pairs that fell elsewhere, each family with a wrong neighbour; and whatever is called
 // equal agrees at random points, far from those that were tried to decide it.
 #include "equality/decide.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // generated/ is what the theorems give; the manifest tells of every header, and each header says
 // what the manifest does.
 #include <filesystem>

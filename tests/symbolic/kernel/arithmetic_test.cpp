@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Attacks on arithmetic: certificates that do not certify.
 #include "attack.hpp"
 

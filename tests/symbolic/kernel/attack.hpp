@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Attacks: each is refused, and for the reason that stands beside it.
 #pragma once
 

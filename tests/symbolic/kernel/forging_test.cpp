@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Rooms that see the kernel, and their tests, hold none of the words by which C++ is known to make
 // theorems past its rules. A cast of C's is an error there: symbolic/kernel/CMakeLists.txt.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Random terms and formulas against a model in exact rationals, where sin is any function and 1/0
 // is 7.
 #include <random>

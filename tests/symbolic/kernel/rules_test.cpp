@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Attacks on the rules of logic, on induction, definitions and domains, with a small motion of its
 // own.
 #include <algorithm>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Attacks on terms: names, sorts, bound indices, sizes; on matrices as terms: entries, shapes,
 // powers, determinants.
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What the kernel prints is read back as the same tree; what people type; what is refused.
 #include <functional>
 #include <iterator>

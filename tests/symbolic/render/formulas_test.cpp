@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Formulas in LaTeX, with parentheses where the reading would change, and nowhere else; in MathML,
 // what is set above, below or beside what. Pages are seen in the sessions of the command.
 #include "catch.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What the passes of the exercises share_nodes and drop_nodes work on.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Simd and the few functions under it that work on bits; the rounding test and the tests of signs
 // and ranges, at their edges from both sides.
 

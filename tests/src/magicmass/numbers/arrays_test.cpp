@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Arrays: a row alone is the row among others, whatever their number, place and instruction set.
 #include <cfenv>
 #include <functional>

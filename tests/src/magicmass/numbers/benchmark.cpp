@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What results cost beside one naive call that shares its trigonometry: least time of five runs,
 // and the least and largest ratio of the runs, in each of which both are timed side by side.
 #include <chrono>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Each proved bound of velocities and terminal, tier by tier, beside the largest error seen: what
 // the oracle says less what is about to be rounded. `test_numbers "proved bounds*"` prints them.
 #include <map>

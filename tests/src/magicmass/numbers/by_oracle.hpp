@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The oracle's answers in the types of the numeric functions.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Everyday and hard mass ratios, and cycles to ask for; all from whole random numbers, so that a
 // seed gives the same rows everywhere but for libm's last bits.
 #pragma once

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // All bits of 4000 rows, from the array calls of both tiers: compilers and processors agree.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The steps of the ladder by themselves: what each leaves open, and what MPFR's numbers say alone.
 #include <future>
 

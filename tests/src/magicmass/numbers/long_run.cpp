@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Millions of rows of accurate arrays, half everyday, half from the hard families, fixed seed:
 // nothing misrounded, no wrong count. Rows go to certified formulas on CLN's floats, and to the
 // oracle where these are not certain, for alpha > 2^10, and for one row in a thousand anyhow. Then

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Terminal velocities with restitution against the law of a collision, in rationals.
 
 #include <cln/real.h>

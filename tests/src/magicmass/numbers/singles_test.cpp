@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Single numbers of both tiers against the oracle: the collision law alone, in rationals and
 // intervals.
 #include <map>

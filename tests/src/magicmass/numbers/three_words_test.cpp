@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Each operation of three words against MPFR's with 400 bits, edges among the operands.
 
 #include "catch.hpp"

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The public functions by tier, the kernels under them, and tables of their inputs and results.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The oracle against the simulator in exact rationals, and against known values.
 #include <random>
 

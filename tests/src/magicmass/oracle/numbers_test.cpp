@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Doubles and exact rationals at the ends of the range, and errors between them; ties and all
 // doubles in between are in what the report measures. Intervals hold the result, and hardly more.
 #include <cmath>

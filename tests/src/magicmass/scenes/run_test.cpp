@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Numbers as scenes write them, and scenes from text to what they come to: in doubles, in exact
 // numbers, and of cradles by theorem.
 #include <random>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // Scenes as text, and what they come to in doubles.
 #pragma once
 

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // What theorems say of a scene, against its motion collision by collision in rationals, by the laws
 // of one collision alone; and against the motion in a mirror.
 #include <random>

@@ -1,4 +1,3 @@
-// SPDX-License-Identifier: GPL-2.0-or-later
 // The engine against conservation laws, and in a mirror.
 #include "magicmass/simulator/engine.hpp"
 
