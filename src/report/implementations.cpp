@@ -132,6 +132,7 @@ const std::vector<Implementation>& implementations() {
       {"accurate", collisions, each(accurate::collision)},
       {"naive", terminal, each(naive::terminal)},
       {"closed", terminal, each(generated::terminal_closed<double>)},
+      {"product", terminal, each(generated::terminal_product<double>)},
       {"tangent", terminal, each(generated::terminal_tangent<double>)},
       {"stepping", terminal, each(stepped_to_the_end), few},
       {"exact rational", terminal, each(rational_terminal), few},
@@ -147,6 +148,7 @@ const std::vector<Implementation>& implementations() {
       {"naive", ratios, each(naive::ratios)},
       {"closed", ratios, each(generated::ratios_closed<double>)},
       {"product", ratios, each(generated::ratios_product<double>)},
+      {"tangent", ratios, each(generated::ratios_tangent<double>)},
       {"fast", ratios, each(fast::ratios)},
       {"accurate", ratios, each(accurate::ratios)},
   };

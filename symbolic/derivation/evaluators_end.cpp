@@ -62,8 +62,20 @@ void end_forms(Book& book) {
     });
   };
   const Theorem Q = in_case(true), P = in_case(false);
-  book.show("terminal", "The terminal velocities are, whichever collision is the last,",
-            tautology(right(Q), {Q, P, book["terminal.last"]}));
+  const Theorem terminal =
+      book.show("terminal", "The terminal velocities are, whichever collision is the last,",
+                tautology(right(Q), {Q, P, book["terminal.last"]}));
+  const Expr V_lead = 2 * V_CM(), next = psi() / 4 - f("rest");
+  book.show("rest", "As products, with what is left by psi,", rest_is);
+  const auto as_product = [&](std::size_t i, const std::string& name, Expr value) {
+    const Theorem is = part(terminal, i);
+    book.show(name, "and",
+              equation(left(is), value, Theorems{is, def_sine, def_cosine} + of_name + a.rules,
+                       {psi() / 4, f("rest")}));
+  };
+  as_product(0, "a_product", -V_lead * (1 + alpha) * sin(next) * sin(psi() / 4 + f("rest")));
+  as_product(1, "b_product", V_lead * (1 + alpha) * cos(f("rest")) * cos(psi() / 2 - f("rest")));
+  as_product(2, "c_product", V_lead * cos(f("rest")) * sin(next) / sin(psi() / 4));
   f.name("rho", power(f("b_t") / V, 2), "and B has of the energy the fraction");
 
   // |r| <= h/2, so sin|r| <= tan(h/2) cos(r).

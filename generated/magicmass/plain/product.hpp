@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 namespace magicmass::generated {
-using std::atan, std::cos, std::sin, std::sqrt;
+using std::abs, std::atan, std::ceil, std::cos, std::sin, std::sqrt;
 template <class Number> struct VelocitiesProduct { Number a, b, c, c_prime; };
 /// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
 ///   0x1p-300 to 0x1p+300, n from 0 to 1125899906842624. Theorems: rotation.psi, power.V_CM,
@@ -44,6 +44,40 @@ VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n
   // c'_n = -2*V_CM*sin(n*(psi/2))*cos((n + 1/2)*(psi/2))/sin(psi/4)
   const Number c_prime = -t22 * t11 / t25;
   return {a, b, c, c_prime};
+}
+template <class Number> struct TerminalProduct { Number N_A, N_B, a_t, b_t, c_t, rho; };
+/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
+///   Domain: alpha from 0x1p-100 to 0x1p+100. Theorems: rotation.psi, power.V_CM, counting.N_A,
+///   N_B, evaluators_end.rest, a_product, b_product, c_product, def_rho. Operations: arctangents:
+///   1, ceilings: 2, cosines: 2, products: 12, quotients: 7, roots: 1, sines: 3, sums: 8. Ceilings
+///   of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
+TerminalProduct<Number> terminal_product(const Number& alpha) {
+  if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-100 : 0x1p-22) && alpha <= Number(sizeof(Number) >
+      4 ? 0x1p+100 : 0x1p+22)))
+    throw std::domain_error("terminal_product: allowed: "
+        "alpha from 0x1p-100 to 0x1p+100; floats within 0x1p+22");
+  const Number t1 = Number(2) + alpha;  // for psi, V_CM
+  const Number psi = Number(2) * atan(sqrt(alpha * t1));  // psi = 2*atan(sqrt(alpha*(2 + alpha)))
+  const Number V_CM = Number(1) / t1;  // V_CM = 1*(1/(2 + alpha))
+  const Number t5 = Number(4) * atan(Number(1)) / psi;  // for N_A, N_B
+  const Number N_A = ceil(t5 - Number(1) / Number(2));  // N_A = ceil(pi/psi - 1/2)
+  const Number N_B = ceil(t5 - Number(1));  // N_B = ceil(pi/psi - 1)
+  // rest = sqrt((pi/2 - N_A*psi/2)^2)
+  const Number rest = abs(Number(4) * atan(Number(1)) / Number(2) - N_A * psi / Number(2));
+  const Number t12 = Number(2) * V_CM;  // for a_t, b_t, c_t
+  const Number t14 = t12 * (Number(1) + alpha);  // for a_t, b_t
+  const Number t15 = psi / Number(4);  // for a_t, c_t
+  const Number t17 = sin(t15 - rest);  // for a_t, c_t
+  // a_t = -2*V_CM*(1 + alpha)*sin(psi/4 - rest)*sin(psi/4 + rest)
+  const Number a_t = -t14 * t17 * sin(t15 + rest);
+  const Number t22 = cos(rest);  // for b_t, c_t
+  // b_t = 2*V_CM*(1 + alpha)*cos(rest)*cos(psi/2 - rest)
+  const Number b_t = t14 * t22 * cos(psi / Number(2) - rest);
+  // c_t = 2*V_CM*cos(rest)*sin(psi/4 - rest)/sin(psi/4)
+  const Number c_t = t12 * t22 * t17 / sin(t15);
+  const Number rho = b_t * b_t;  // rho = (b_t*inv(1))^2
+  return {N_A, N_B, a_t, b_t, c_t, rho};
 }
 template <class Number> struct RatiosProduct { Number alpha_, beta_; };
 /// ratios (exact:ak exact:bk): alpha_, beta_. Domain: k from 1 to 1125899906842624. Theorems:

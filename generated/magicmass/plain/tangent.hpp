@@ -97,4 +97,33 @@ AngleTangent<Number> angle_tangent(const Number& alpha) {
   const Number psi = Number(4) * half_h;  // psi = 4*half_h
   return {psi};
 }
+template <class Number> struct RatiosTangent { Number alpha_, beta_; };
+/// ratios (exact:ak exact:bk): alpha_, beta_. Domain: k from 1 to 1125899906842624. Theorems:
+///   evaluators_ratios.def_magic_angle, def_magic_sine, def_deficient_angle, def_deficient_sine,
+///   def_magic_tangent, def_deficient_tangent, magic_by_tangent, deficient_by_tangent. Operations:
+///   cosines: 2, products: 5, quotients: 8, sines: 2, sums: 4.
+template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
+RatiosTangent<Number> ratios_tangent(std::int64_t k) {
+  if (!(k >= 1 && k <= (sizeof(Number) > 4 ? 1125899906842624 : 4194304)))
+    throw std::domain_error("ratios_tangent: allowed: "
+        "k from 1 to 1125899906842624; floats within 0x1p+22");
+  // magic_angle_k = pi/(2*(1 + 2*k))
+  const Number magic_angle = Number(4) * atan(Number(1)) / (Number(1) + Number(2) * Number(k)) /
+      Number(2);
+  const Number magic_sine = sin(magic_angle);  // magic_sine_k = sin(magic_angle_k)
+  // deficient_angle_k = pi/(4*(1 + k))
+  const Number deficient_angle = Number(4) * atan(Number(1)) / (Number(1) + Number(k)) / Number(4);
+  const Number deficient_sine = sin(deficient_angle);  // deficient_sine_k = sin(deficient_angle_k)
+  // magic_tangent_k = magic_sine_k/cos(magic_angle_k)
+  const Number magic_tangent = magic_sine / cos(magic_angle);
+  // deficient_tangent_k = deficient_sine_k/cos(deficient_angle_k)
+  const Number deficient_tangent = deficient_sine / cos(deficient_angle);
+  const Number t8 = magic_tangent * magic_tangent;  // for alpha_
+  // alpha_k = 2*magic_tangent_k^2/(1 - magic_tangent_k^2)
+  const Number alpha_ = Number(2) * t8 / (Number(1) - t8);
+  const Number t11 = deficient_tangent * deficient_tangent;  // for beta_
+  // beta_k = 2*deficient_tangent_k^2/(1 - deficient_tangent_k^2)
+  const Number beta_ = Number(2) * t11 / (Number(1) - t11);
+  return {alpha_, beta_};
+}
 }  // namespace magicmass::generated
