@@ -50,7 +50,7 @@ std::vector<std::string> differences(const std::string& folder, const Texts& tex
   if (!fs::is_directory(folder)) return out;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string path = fs::relative(entry.path(), folder).generic_string();
-    const bool ours = texts.count(path) > 0 || entry.path().filename() == "CMakeLists.txt";
+    const bool ours = texts.count(path) > 0 || path == "CMakeLists.txt" || path == ".clang-format";
     if (entry.is_regular_file() && !ours) out.push_back(path + ": is not generated");
   }
   return out;

@@ -3,7 +3,6 @@
 // The exact forms, for any field, without error; doubles are no field, and refused: closed, product
 //   and tangent are for them. A whole number outside of its domain throws std::domain_error; others
 //   are not tested: a field need have no order.
-// clang-format off
 #pragma once
 
 #include <bit>

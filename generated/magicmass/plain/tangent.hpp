@@ -3,7 +3,6 @@
 // The tangent forms, for real types at least as wide as double, and float, whose domains end at
 //   0x1p+22 and at one by that. No bound is derived: terms that cancel leave their absolute error;
 //   n times an angle has n times its error. Outside of a domain std::domain_error is thrown.
-// clang-format off
 #pragma once
 
 #include <cmath>
