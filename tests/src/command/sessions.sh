@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Replays sessions: sessions.sh [--update] FOLDER NAME=PROGRAM... A session is FOLDER/sessions/*.txt, or session.txt of a
-# chapter of tutorials/, which is at hand: after each line "$ COMMAND" what it prints, stderr too, and "[exit N]" where N is
-# not 0. --update writes what is printed now.
-# src/command/BOUNDS.md: what each step beyond says. FOLDER/refusals.tsv: a command, a tab, a part of its message: one line on stderr, exit code 2, nothing on stdout, no file.
+# Replays sessions: sessions.sh [--update | --refusals] FOLDER NAME=PROGRAM... A session is FOLDER/sessions/*.txt, or
+# session.txt of a chapter of tutorials/, which is at hand: after each line "$ COMMAND" what it prints, stderr too, and
+# "[exit N]" where N is not 0. --update writes what is printed now. --refusals, instead: src/command/BOUNDS.md, what each step
+# beyond says; FOLDER/refusals.tsv, a command, a tab, a part of its message: one line on stderr, exit code 2, nothing on
+# stdout, no file.
 set -euo pipefail
 export LC_ALL=C
-update=
-if [[ ${1-} == --update ]]; then
-  update=yes
+only=
+if [[ ${1-} == --* ]]; then
+  only=$1
   shift
 fi
 folder=$(cd "$1" && pwd)
@@ -39,15 +40,17 @@ replay() { # session
   done <"$1"
 }
 for session in "$folder"/sessions/*.txt "$tutorials"/*/session.txt; do
+  [[ $only != --refusals ]] || break
   # AddressSanitizer takes terabytes of addresses and has words of its own for a crash.
   [[ -z ${ASAN_OPTIONS-} || $session != */bounds.txt ]] || continue
   replay "$session" >"$scratch/seen"
-  if [[ $update ]]; then
+  if [[ $only == --update ]]; then
     cp "$scratch/seen" "$session"
   elif ! diff -u "$session" "$scratch/seen"; then
     failed=1
   fi
 done
+[[ $only == --refusals ]] || exit $failed
 
 rm -rf "$scratch/place" && mkdir "$scratch/place" && cd "$scratch/place"
 while IFS=$'\t' read -r command part; do
