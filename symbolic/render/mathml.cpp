@@ -1,3 +1,5 @@
+#include <regex>
+
 #include "render/visitor.hpp"
 
 namespace render {
@@ -47,9 +49,11 @@ public:
   }
   std::string before_factor(const std::string& factor) const override {
     if (factor.starts_with("<mn>")) return "<mo>⋅</mo>";
-    const bool is_call =
-        factor.starts_with("<mi>") && factor.find("</mi><mo>&#x2061;") == factor.find("</mi>");
-    return is_call ? "<mo>&#x2062;</mo><mspace width=\"0.17em\"/>" : "<mo>&#x2062;</mo>";
+    static const std::regex call_or_word(
+        "(<(msub|msup|msubsup|mrow)>)*<mi>([A-Za-z]{2}|[^<]*</mi><mo>&#x2061;)");
+    const bool is_apart =
+        std::regex_search(factor, call_or_word, std::regex_constants::match_continuous);
+    return is_apart ? "<mo>&#x2062;</mo><mspace width=\"0.17em\"/>" : "<mo>&#x2062;</mo>";
   }
   std::string word(const std::string& word) const override {
     static const std::map<std::string, std::string> signs{

@@ -6,7 +6,8 @@
 #include "rows.hpp"
 
 TEST_CASE("LaTeX and MathML of terms and formulas") {
-  for (const char* name : {"alpha", "x", "y", "u_1", "V_CM", "c'", "delta_e"}) kernel::real(name);
+  for (const char* name : {"alpha", "x", "y", "u_1", "V_CM", "c'", "delta_e", "share_e"})
+    kernel::real(name);
   kernel::integer("n");
   const auto rows = rows_of("symbolic/render/formulas.tsv", 3);
   REQUIRE(rows.size() > 35);
