@@ -130,8 +130,8 @@ Answer derive(const Request& request) {
       const auto hypotheses =
           texts_of(derivation::shown(step.id).hypotheses(), [](auto h) { return kernel::text(h); });
       const std::string formula = kernel::text(step.formula);
-      list +=
-          step.id + (step.label.empty() ? "" : " (" + step.label + ")") + "\n    " + formula + "\n";
+      list += wrapped(step.id + (step.label.empty() ? "" : " (" + step.label + ")"), "") +
+              wrapped(formula, "    ");
       table.rows.push_back({text_cell(step.id), text_cell(formula), list_cell(hypotheses),
                             text_cell(step.label), text_cell(step.rule), list_cell(step.premises),
                             text_cell("proved")});

@@ -61,8 +61,7 @@ Table shown_in(Format format, Fields fields) {
 
 /// So many collisions, or infinitely many.
 Cell count_cell(const Result& result, std::int64_t collisions) {
-  const bool is_endless = result.status == Status::collapse;
-  return is_endless ? Cell{"infinitely many", "null"} : whole_cell(collisions);
+  return result.status == Status::collapse ? endless_cell() : whole_cell(collisions);
 }
 
 Fields plan_fields(const Result& result) {

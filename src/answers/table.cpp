@@ -122,6 +122,7 @@ Row concatenated(std::initializer_list<Row> parts) {
 
 Cell whole_cell(const std::string& digits) { return {digits, digits}; }
 Cell missing_cell() { return {"", "null"}; }
+Cell endless_cell() { return {"infinitely many", "null", "inf"}; }
 
 Cell list_cell(const std::vector<std::string>& texts) {
   return {joined(texts, "; "), "[" + joined(texts_of(texts, json_string)) + "]"};
@@ -193,7 +194,7 @@ std::string Writer::rows(std::span<const Row> block) {
   for (const Row& row : block) {
     append_row(text, [&](std::size_t i) {
       const Cell& cell = row.at(i);
-      text += format_ == Format::csv    ? csv_field(cell.text)
+      text += format_ == Format::csv    ? csv_field(cell.csv.empty() ? cell.text : cell.csv)
               : format_ != Format::text ? cell.json
               : widths_.empty()         ? wrapped(shown(cell), width(before_[0]))
                                         : shown(cell);

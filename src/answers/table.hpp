@@ -12,10 +12,11 @@ namespace answers {
 
 using Names = std::vector<std::string>;
 
-/// A value as text and CSV write it, and as JSON does.
+/// A value as text and CSV write it, and as JSON does; as CSV does where that differs from text.
 struct Cell {
   std::string text;
   std::string json;
+  std::string csv = {};
 };
 
 /// As printf prints it: "%.4g".
@@ -36,6 +37,8 @@ using Fields = std::vector<std::pair<std::string, Cell>>;
 Cell object_cell(const Fields& fields);
 /// There is none: "-" in text, nothing in CSV, null in JSON.
 Cell missing_cell();
+/// No number: in CSV inf, which programs read as one, null in JSON.
+Cell endless_cell();
 
 using Row = std::vector<Cell>;  ///< as long as there are columns
 Row real_cells(const std::vector<double>& values);

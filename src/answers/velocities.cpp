@@ -186,7 +186,7 @@ Row end_of(const Asked& in, const Alpha& restitution) {
     throw Undecided(
         "terminal: infinitely many collisions end at a time that may be no fraction; add --digits "
         "D");
-  return concatenated({Row(2, {"infinitely many", "null"}), rounded(balls, in.digits)});
+  return concatenated({Row(2, endless_cell()), rounded(balls, in.digits)});
 }
 
 Answer terminal(const Request& request) {
@@ -207,10 +207,8 @@ Block eval_block(const Rows& rows) {
   std::vector<Reals> v(4, Reals(alpha.size()));
   const magicmass::VelocityColumns columns{v[0], v[1], v[2], v[3]};
   const bool is_fast = rows.shared.text("tier") == "fast";
-  if (is_fast)
-    magicmass::fast::velocities(alpha, n, columns);
-  else
-    magicmass::accurate::velocities(alpha, n, columns);
+  is_fast ? magicmass::fast::velocities(alpha, n, columns)
+          : magicmass::accurate::velocities(alpha, n, columns);
   return {of_eval, {alpha, n, text_cell(is_fast ? "fast" : "accurate"), v[0], v[1], v[2], v[3]}};
 }
 
@@ -229,10 +227,8 @@ Block terminal_block(const Rows& rows) {
   Wholes N_A(alpha.size()), N_B(alpha.size());
   std::vector<Reals> v(4, Reals(alpha.size()));
   const magicmass::TerminalColumns columns{N_A, N_B, v[0], v[1], v[2], v[3]};
-  if (rows.shared.text("tier") == "fast")
-    magicmass::fast::terminal(alpha, columns);
-  else
-    magicmass::accurate::terminal(alpha, columns);
+  rows.shared.text("tier") == "fast" ? magicmass::fast::terminal(alpha, columns)
+                                     : magicmass::accurate::terminal(alpha, columns);
   return {of_terminal, {alpha, N_A, N_B, v[0], v[1], v[2], v[3]}};
 }
 

@@ -10,19 +10,6 @@ std::string listed(const auto& all, const auto& print, const std::string& betwee
   for (const auto& one : all) out += (out.empty() ? "" : between) + print(one);
   return out;
 }
-/// Broken at blanks where a line would be longer than 80 columns; an overlong word stays whole.
-std::string wrapped(const std::string& text, const std::string& indent) {
-  std::string out, line = indent;
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
-    if (line.size() > indent.size() && line.size() + 1 + word.size() > 80) {
-      out += line + "\n";
-      line = indent + "  ";
-    }
-    line += (line.find_first_not_of(' ') == std::string::npos ? "" : " ") + word;
-  }
-  return out + line + "\n";
-}
 std::string because(const Step& s, std::string (*link)(const std::string&)) {
   return s.rule + (s.premises.empty() ? "" : " from " + listed(s.premises, link, ", "));
 }
@@ -113,6 +100,19 @@ std::string in_latex(const std::string& text) {
   return escaped(text, {{'_', "\\_"}, {'^', "\\^{}"}, {'&', "\\&"}, {'%', "\\%"}, {'#', "\\#"}});
 }
 }  // namespace
+
+std::string wrapped(const std::string& text, const std::string& indent) {
+  std::string out, line = indent;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (line.size() > indent.size() && line.size() + 1 + word.size() > 80) {
+      out += line + "\n";
+      line = indent + "  ";
+    }
+    line += (line.find_first_not_of(' ') == std::string::npos ? "" : " ") + word;
+  }
+  return out + line + "\n";
+}
 
 std::string html_text(const std::string& words) {
   return escaped(words, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});

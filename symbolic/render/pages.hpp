@@ -23,6 +23,8 @@ struct Section {
   kernel::Exprs assumptions;
   std::vector<Step> steps;
 };
+/// A line; broken at blanks where longer than 80 columns; an overlong word stays whole.
+std::string wrapped(const std::string& text, const std::string& indent);
 std::string text_page(const std::vector<Section>& sections);
 std::string markdown_page(const std::vector<Section>& sections);
 /// A document for pdflatex with amsmath.
