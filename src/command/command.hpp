@@ -21,7 +21,8 @@ struct Option {
   std::string words;                      ///< what it does
   std::vector<std::string> choices = {};  ///< what is allowed, if not everything
   bool is_required = false;
-  bool is_column = false;  ///< may be a column of --input, which commands with such an option have
+  bool is_column = false;   ///< may be a column of --input, which commands with such an option have
+  std::string symbol = {};  ///< of the paper, which is no column's name
 };
 
 struct Command {

@@ -17,7 +17,8 @@ Program magicmass() {
   const Option restitution{.name = "restitution",
                            .value = "E",
                            .words = "of each collision, above 0, 1 unless told otherwise",
-                           .is_column = true};
+                           .is_column = true,
+                           .symbol = "e"};
   const Option digits{"digits", "D", "so many significant digits, with certainty"};
   const std::vector<Option> of_scenes{{"exact", "", "in exact numbers"},
                                       {"max-events", "N", "at most so many collisions"}};

@@ -107,9 +107,10 @@ std::string scene_header(const std::string& file, std::string form) {
   const auto trios = Trios::of(scene);
   const bool is_any = trios && trios->alone() && trios->thrown() == 0 && form == "restitution";
   if (scene.kind == Kind::chain || !(is_paper || is_any))
-    throw InvalidInput(scene.source +
-                       ": no evaluators for this scene; allowed: three bodies, or two and a wall, "
-                       "where the ball is met first (other forms: equal blocks, A moves, e = 1)");
+    refuse_key(scene, form == "restitution" || scene.restitution.is(1) ? "kind" : "restitution",
+               "no evaluators of form " + form,
+               "three bodies, or two and a wall, where the ball is met first "
+               "(other forms than restitution: equal blocks, A moves, restitution 1)");
   for (const char* const key : {"until", "max_events", "every"})
     if (scene.has(key))
       refuse_key(scene, key, "evaluators cover all collisions", "a scene without it");
@@ -120,7 +121,9 @@ std::string scene_header(const std::string& file, std::string form) {
       refuse_key(scene, "outputs", "no evaluators for " + output, "counts, terminal, events");
     names.insert(found->second.begin(), found->second.end());
   }
-  return form == "restitution" ? motion_header(scene, *trios) : one_header(form, names);
+  if (form == "restitution") return motion_header(scene, *trios);
+  return answers::with_place<InvalidInput>(scene.source + ": outputs: ",
+                                           [&] { return one_header(form, names); });
 }
 
 std::string header(const answers::Request& request) {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "command/frame.hpp"
+#include "magicmass/scenes/scene.hpp"
 
 namespace command {
 namespace {
@@ -84,7 +85,8 @@ Request request_of(const Command& command, const std::vector<Option>& options,
     std::string value = is_apart ? "" : word.substr(equals + 1);
     if (takes_value && is_apart && at + 1 != end) value = *++at;
     if (takes_value && (value.empty() || (is_apart && value.starts_with("--"))))
-      throw InvalidInput("--" + option->name + " has no value");
+      throw InvalidInput("--" + option->name + " has no value; allowed: " + option->value + ", " +
+                         option->words.substr(0, option->words.find('\n')));
     if (!request.options.emplace(option->name, value).second)
       throw InvalidInput(command.name + ": --" + option->name + ": given twice");
   }
@@ -159,8 +161,9 @@ std::variant<Asked, std::string> parse(const Program& program, std::vector<std::
   if (first == "--version") return program.name + " " + program.version + "\n";
   const auto found = std::ranges::find(program.commands, first, &Command::name);
   if (found == program.commands.end())
-    throw InvalidInput("unknown command " + shown_text(first) + "; see " + program.name +
-                       " --help");
+    throw InvalidInput("unknown command " + shown_text(first) +
+                       magicmass::scenes::meant(first, texts_of(program.commands, &Command::name),
+                                                "; see " + program.name + " --help"));
   const Command& command = *found;
   const std::vector<Option> options = options_of(command);
   const std::string full_name = program.name + " " + command.name;

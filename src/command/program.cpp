@@ -78,9 +78,14 @@ void write_answers(const Asked& asked, CsvReader& reader, answers::Rows rows, De
 
 /// Each row of the input is a request.
 void answer_rows(const Asked& asked, Destination& output, const Tell& tell, std::string& place) {
-  std::vector<std::string> may_be_columns, others;
-  for (const Option& option : asked.command->options)
-    (option.is_column ? may_be_columns : others).push_back(option.name);
+  std::vector<std::string> may_be_columns;
+  std::map<std::string, std::string> others;
+  for (const Option& option : asked.command->options) {
+    if (option.is_column) may_be_columns.push_back(option.name);
+    if (!option.symbol.empty()) others[option.symbol] = "; is " + option.name + " meant?";
+    if (!option.is_column)
+      others[option.name] = ": not a column but one option for all rows, --" + option.name;
+  }
   CsvReader reader(asked.request.text("input"), may_be_columns, others);
   const answers::Rows rows{asked.request, reader.columns()};
   answers::Request any_row = asked.request;

@@ -1,5 +1,6 @@
 // Reading by bytes: what a file holds decides, not its locale.
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "answers/errors.hpp"
 #include "command/streams.hpp"
+#include "magicmass/scenes/scene.hpp"
 
 namespace command {
 namespace {
@@ -28,7 +30,7 @@ std::string_view trimmed(std::string_view text) {
 }  // namespace
 
 CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wanted,
-                     const std::vector<std::string>& refused)
+                     const std::map<std::string, std::string>& refused)
     : source_(path == "-" ? "stdin" : shown_text(path, 200)),
       file_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (file_ < 0) cannot_read();
@@ -36,11 +38,16 @@ CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wa
   next_line();
   if (line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
   split_line();
+  std::vector<std::string> absent = wanted;
+  std::erase_if(absent, [&](const auto& name) { return std::ranges::count(fields_, name) != 0; });
   for (std::size_t i = 0; i < size_; ++i) {
     const std::string& name = fields_[i];
+    std::string small = name;
+    for (char& c : small) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const std::string nearly = size_ > 1 ? magicmass::scenes::meant(small, absent) : "";
     const bool is_wanted = std::count(wanted.begin(), wanted.end(), name) != 0;
-    if (std::count(refused.begin(), refused.end(), name) != 0)
-      refuse(name + ": not a column but one option for all rows, --" + name +
+    if (!is_wanted && (refused.contains(small) || !nearly.empty()))
+      refuse(shown_text(name) + (refused.contains(small) ? refused.at(small) : nearly) +
              "; options that may be columns: " + allowed);
     if (is_wanted && std::count(names_.begin(), names_.end(), name) != 0)
       refuse(name + ": a column of that name was there before");

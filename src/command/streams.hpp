@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,10 @@ namespace command {
 /// the end. Throws answers::InvalidInput, "FILE:LINE: what", for anything else.
 class CsvReader {
 public:
-  /// Opens a file ("-": stdin) and reads its header; skips columns neither wanted nor refused.
+  /// Opens a file ("-": stdin) and reads its header; skips columns neither wanted, in capitals or
+  /// not, nor nearly, nor, in small letters, refused, which says why.
   CsvReader(const std::string& path, const std::vector<std::string>& wanted,
-            const std::vector<std::string>& refused = {});
+            const std::map<std::string, std::string>& refused);
 
   /// The wanted columns that are there.
   const std::vector<std::string>& columns() const { return columns_; }
