@@ -253,8 +253,15 @@ void check_meaning(const Scene& scene) {
     if (!value.is(0) && !value.is_positive())
       refuse_key(scene, key, "got " + value.text.substr(0, 40), "0 or more");
   };
-  for (const Value& time : scene.times) refuse_below_0("times", time);
   refuse_below_0("until", scene.until.value_or(value_of(0)));
+  for (const Value& time : scene.times) {
+    refuse_below_0("times", time);
+    const Value end = scene.until.value_or(time);
+    const auto late = difference(time, end);
+    if (late ? late->is_positive() : time.to_double() > end.to_double())
+      refuse_key(scene, "times", time.text.substr(0, 40) + " is after until",
+                 "at most " + end.text.substr(0, 40));
+  }
   refuse_below_0("L", scene.L);
   refuse_below_0("gap", scene.gap);
   const auto found = has_exact_numbers(scene) ? simulator::fault(line_of<Surd>(scene))

@@ -100,8 +100,7 @@ Result motion(const Scene& scene, std::int64_t limit, const Sink& sink = {},
   result.why += (doubt.empty() || result.why.empty() ? "" : "; ") + doubt;
   result.status = result.why.empty() ? Status::complete : Status::limited;
   if constexpr (std::floating_point<Scalar>)
-    if (result.events > 0 && !result.is_undecided && std::isfinite(engine.errors().position))
-      result.errors = engine.errors();
+    if (const auto e = engine.errors(); std::isfinite(e.position + e.velocity)) result.errors = e;
   return result;
 }
 

@@ -38,7 +38,7 @@ struct Result {
   Number energy;                     ///< at the end
   Number transmitted;  ///< the part of energy_before that the scene's receiver has at the end
   std::optional<Number> collapse_time, collapse_position;
-  std::optional<simulator::Errors<double>> errors;  ///< of collisions in doubles; else of none
+  std::optional<simulator::Errors<double>> errors;  ///< in doubles: of all collisions that are sure
   std::optional<Number> known_until;  ///< the time up to which bodies go on so; nothing: for ever
 };
 
@@ -86,7 +86,7 @@ std::string at_limit(std::int64_t limit);
 /// more collisions than can be counted.
 Found<Result> by_theorem(const Scene& scene, std::int64_t few = 64);
 /// Every so many of its collisions; of a collapse at least the first three, and more while doubles
-/// can tell their times apart.
+/// can tell their times apart; throws Undecided for more than 2^16 rows.
 void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink);
 /// Where its bodies are at a time, or at the last of so many collisions, the most that come
 /// before it; nothing: a collapse, after which all go on together.

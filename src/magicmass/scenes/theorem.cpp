@@ -37,6 +37,9 @@ std::vector<double> certain(const Balls& balls) {
   return with_bits(
       17, [&] { return rounded(balls); }, " to round the numbers of the answer");
 }
+double time_of(const Trios& trios, std::int64_t j) {
+  return certain([&] { return std::vector{trios.collision(j).time}; })[0];
+}
 /// Whether collision j comes by this time.
 bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
   const auto exactly = [&](bool is_hard) -> std::optional<bool> {
@@ -131,10 +134,9 @@ Found<Result> by_theorem(const Scene& scene, std::int64_t few) {
     } else if (is_open && events != trios->count()) {
       const auto is_over = [&] { return scene.until && !is_by(*trios, *events, *scene.until); };
       const bool is_limit = events == scene.limit() && !with_bits(17, is_over);
-      const auto next = [&] { return std::vector{trios->collision(*events).time}; };
       result.status = Status::limited;
       result.why = is_limit ? at_limit(*events) : at_until;
-      result.known_until = is_limit ? certain(next)[0] : scene.until->to_double();
+      result.known_until = is_limit ? time_of(*trios, *events) : scene.until->to_double();
     }
     return result;
   } catch (const Undecided& error) {
@@ -147,6 +149,11 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
   const Trios trios = *Trios::of(scene);
   const auto collisions = within(trios, scene);
   const std::int64_t end = collisions.value_or(INT64_MAX);
+  // Just where collisions begin to end, doubles tell some 10^8 of a collapse apart.
+  for (std::int64_t j = 4; !collisions && time_of(trios, j - 1) != time_of(trios, j); j *= 2)
+    if (j / every >= 1 << 16)
+      throw Undecided(
+          "a collapse of more than 65536 rows; possible: --max-events N, until, a larger every");
   double before = -1;
   for (std::int64_t j = every - 1; j < end; j += std::min(every, end - j)) {
     std::size_t gap = 0;
@@ -156,7 +163,7 @@ void stream_by_theorem(const Scene& scene, std::int64_t every, const Sink& sink)
       return std::vector{c.time, c.position, c.v_left, c.v_right};
     });
     if (!collisions && j >= 3) {
-      if (every > 1) before = certain([&] { return std::vector{trios.collision(j - 1).time}; })[0];
+      if (every > 1) before = time_of(trios, j - 1);
       if (n[0] == before) return;
     }
     before = n[0];

@@ -55,7 +55,8 @@ Found<Trios> Trios::cradle(const std::vector<Value>& masses, const simulator::Li
   const std::vector<Surd>&x = line.positions, &v = line.velocities;
   const std::size_t bodies = masses.size();
   const auto moves = [](const Surd& u) { return !(u == 0); };
-  if (bodies < 3 || bodies % 2 == 0 || std::any_of(v.begin() + 1, v.end(), moves)) return ends;
+  if (bodies == 1) return "only one body";
+  if (bodies % 2 == 0 || std::any_of(v.begin() + 1, v.end(), moves)) return ends;
   all.x_ = x[0];
   all.V_ = v[0];
   all.ahead_ = line.right_wall;

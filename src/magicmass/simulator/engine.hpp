@@ -156,8 +156,8 @@ public:
   /// Of the last collision; 0 before the first.
   const Scalar& now() const { return now_; }
   const Ties& ties() const { return ties_; }
-  /// Of what was told so far, if no decision was near.
-  const Errors<Scalar>& errors() const { return margin_.errors(); }
+  /// Of what was told so far, or before the first near decision.
+  const Errors<Scalar>& errors() const { return ties_.near > 0 ? certain_ : margin_.errors(); }
   /// Whether floating point holds no time at which two meet that approach. No next collision then
   /// says nothing about the motion.
   bool has_lost() const {
@@ -178,6 +178,7 @@ private:
   Scalar now_{0};
   std::int64_t number_ = 0;
   Ties ties_;
+  Errors<Scalar> certain_;                     // where there are some
   std::vector<std::size_t> together_;          // gaps that close now
   std::vector<Collision<Scalar>> collisions_;  // of now, of which told_ were told
   std::int64_t told_ = 0;
@@ -286,7 +287,9 @@ private:
     }
   }
   void note_near() {
-    if (ties_.near++ == 0) ties_.first_near = number_;
+    if (ties_.near++ > 0) return;
+    ties_.first_near = number_;
+    certain_ = margin_.errors();
   }
   /// Do the two approach, or is that only rounding? What was never met moves as it was told to,
   /// and 0 is no rounded number.

@@ -57,6 +57,7 @@ public:
       for (const auto& wall : {line.left_wall, line.right_wall}) look_at(wall.value_or(0));
       positions_ = line.is_rounded ? eps() * size_ * root_mass : 0;
       velocities_ = line.is_rounded ? eps() * speeds : 0;
+      worst_.velocity = velocities_ / lightest_;
     }
   }
 

@@ -26,8 +26,7 @@ inline std::string list(const std::vector<std::string>& values) {
   return "[" + all + "]\n";
 }
 inline void check_mirrored(const Result& result, const Result& mirrored) {
-  REQUIRE(mirrored.status == result.status);
-  REQUIRE(mirrored.events == result.events);
+  REQUIRE((mirrored.status == result.status && mirrored.events == result.events));
   REQUIRE(number(mirrored.energy) == number(result.energy));
   REQUIRE(mirrored.counts == std::vector(result.counts.rbegin(), result.counts.rend()));
   const std::size_t bodies = result.terminal.size();

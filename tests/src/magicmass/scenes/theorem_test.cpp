@@ -108,8 +108,7 @@ cl_RA compare_end(const Trios& trio, const std::vector<Step>& rows, Line line) {
   Ball::set_bits(1024);
   const Trio::Collision end = trio.collapse();
   const auto between = [](const cl_RA& low, const Ball& x, const cl_RA& high) {
-    REQUIRE(low <= x.high());
-    REQUIRE(x.low() <= high);
+    REQUIRE((low <= x.high() && x.low() <= high));
     return high - low;
   };
   const auto& [A, B, C] = line.v;
@@ -179,8 +178,7 @@ void check(Line line, bool is_long, Seen& seen) {
   ++(result.plan.is_exact ? seen.few : seen.many);
   seen.fled += trio.alone()->shape().q_e <= 0 ? 1 : 0;
   REQUIRE(result.status == Status::complete);
-  REQUIRE(result.events == std::int64_t(rows.size()));
-  REQUIRE(count == result.events);
+  REQUIRE((result.events == std::int64_t(rows.size()) && count == result.events));
   for (std::size_t k = 0; k < result.terminal.size(); ++k)
     REQUIRE(number(result.terminal[k]) == number(line.v[(2 * k) % 3]));  // A, C, B
   if (result.plan.is_exact) return;
@@ -193,11 +191,8 @@ TEST_CASE("10,000 scenes by theorem, collision by collision, and in a mirror", "
   Seen seen;
   for (int i = 0; seen.few + seen.many + seen.collapsed < 10'000; ++i)
     check(random_line(), i % 20 == 0, seen);
-  CHECK(seen.few > 7000);
-  CHECK(seen.many > 50);
-  CHECK(seen.collapsed > 1000);
-  CHECK(seen.narrow > 100);
-  CHECK(seen.fled > 50);
+  CHECK((seen.few > 7000 && seen.many > 50));
+  CHECK((seen.collapsed > 1000 && seen.narrow > 100 && seen.fled > 50));
 }
 
 TEST_CASE("A ball that hits the wall before it meets the block", "[check]") {
@@ -222,10 +217,7 @@ TEST_CASE("A ball that hits the wall before it meets the block", "[check]") {
     REQUIRE(holds(trio->places(ball_of(Surd(early)), 0)[1], x + early * W));
     REQUIRE(holds(trio->velocities(0)[0], line.v[0]));
   }
-  CHECK(seen.few > 300);
-  CHECK(seen.many > 10);
-  CHECK(seen.collapsed > 100);
-  CHECK(once > 10);
+  CHECK((seen.few > 300 && seen.many > 10 && seen.collapsed > 100 && once > 10));
 }
 
 TEST_CASE("plans, their reasons, and how many collisions, as in a mirror", "[exam]") {

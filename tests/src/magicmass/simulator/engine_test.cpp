@@ -122,8 +122,7 @@ TEST_CASE("momentum is kept, and energy goes as the restitution says", "[check]"
     for (std::size_t i = 1; i < line.masses.size(); ++i)
       CHECK_FALSE(engine.position(i, engine.now()) < engine.position(i - 1, engine.now()));
   }
-  CHECK(all > 2000);
-  CHECK(spoiled > 250);
+  CHECK((all > 2000 && spoiled > 250));
 }
 
 TEST_CASE("a mirror shows the mirrored motion, whatever happens at once", "[check]") {
@@ -149,13 +148,10 @@ TEST_CASE("100,000 equal masses hand the velocity on in order", "[exam]") {
     const auto event = engine.step();
     if (event.gap != gap || event.time != static_cast<double>(gap)) FAIL(gap);
   }
-  CHECK_FALSE(engine.next());
-  CHECK(engine.ties().near == 0);
-  CHECK_FALSE(engine.has_lost());
+  CHECK_FALSE((engine.next() || engine.ties().near != 0 || engine.has_lost()));
   CHECK(engine.bodies().back().velocity == 1);
   Engine<double> slow(Line<double>{{1, 1}, {0, 1e300}, {5e-324, 0}, {}, {}});
-  CHECK_FALSE(slow.next());
-  CHECK(slow.has_lost());
+  CHECK((!slow.next() && slow.has_lost()));
 }
 
 TEST_CASE("near ties are told at thresholds and not away from them", "[exam]") {
@@ -169,7 +165,7 @@ TEST_CASE("near ties are told at thresholds and not away from them", "[exam]") {
     INFO(alpha);
     Engine<double> engine({{1, alpha, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}});
     CHECK(run(engine, 9).size() == std::size_t(expected));
-    CHECK(engine.ties().near == near);
+    CHECK((engine.ties().near == near && engine.errors().position < 1e-11));
   }
 }
 
