@@ -92,8 +92,11 @@ bool hides_form(Expr e) {
 }
 
 long divisions(const std::string& typed) {
-  return std::ranges::count_if(notation::tokens(typed), [](const notation::Token& word) {
-    return word.text == "/" || word.text == "frac";
+  std::string before;  // what stands before, but for brackets: x^(-1) is a division
+  return std::ranges::count_if(notation::tokens(typed), [&](const notation::Token& word) {
+    const bool is_power = word.text == "-" && before == "^";
+    if (word.text != "(" && word.text != "{") before = word.text;
+    return is_power || word.text == "/" || word.text == "frac";
   });
 }
 
@@ -126,6 +129,13 @@ std::string Terms::lacking(Expr term, const std::string& text) const {
   const auto is_lack = [&](Expr e) { return one->is_lack(e, where); };
   const auto part = found(term, is_lack, one->is_lack == is_difference);
   return part ? quoted(text, *part) + one->lack : "";
+}
+
+Texts Terms::allowed() const {
+  Texts names = exercise.symbols;
+  if (exercise.kind == "symbolic")
+    std::erase_if(names, [&](auto& name) { return !lacking(content(name), name).empty(); });
+  return names;
 }
 
 }  // namespace learn

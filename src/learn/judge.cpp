@@ -67,9 +67,15 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
     if (!is_near) return {Mark::undecided, "It could not be decided whether yours is near enough."};
     if (*is_near) return {Mark::right, "Right: near enough."};
   }
-  if (!is_prediction && !kernel::is_matrix(given) && !kernel::is_matrix(expected) &&
-      terms.are_equal(given, -expected))
+  const bool are_numbers = !kernel::is_matrix(given) && !kernel::is_matrix(expected);
+  if (!is_prediction && are_numbers && terms.are_equal(given, -expected))
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
+  const Texts decimal = matched(text, R"([^.]*\.([0-9]{2,})[^0-9.]*)");
+  if (are_numbers && e.symbols.empty() && e.within.empty() && !decimal.empty()) {
+    const Expr unit = cln::expt(cln::cl_RA(10), -int(decimal[1].size()));  // of the last digit
+    if (equality::holds({notation::call("abs", given - expected), "<", unit}) == true)
+      said.feedback = "Yours is near, but rounded: an exact value is asked for.";
+  }
   const std::string closed =  // 1/(1+alpha) for 1/1+alpha
       replaced(text, R"(/ *([\w.\x80-\xff]+ *([-+]|−) *[\w.\x80-\xff]+))",
                [](const Texts& part) { return "/(" + part[1] + ")"; });
@@ -159,7 +165,7 @@ Texts rules(const Exercise& e) {
     lines.push_back(std::string(1, char('a' + int(lines.size()))) + ") " + choice);
   if (!e.choices.empty() || e.kind == "code") return lines;
   lines = {"An answer is a number"};
-  if (!e.symbols.empty()) lines[0] = "An answer may use: " + answers::joined(e.symbols);
+  if (!e.symbols.empty()) lines[0] = "An answer may use: " + answers::joined(Terms(e).allowed());
   for (const auto& [name, value] : e.values)
     if (e.symbols.empty()) lines[0] += "; " + name + " = " + value;
   const bool has_name = !e.name.empty() && e.kind != "derivation";

@@ -4,6 +4,7 @@
 #include "answers/meanings.hpp"
 #include "equality/normal_form.hpp"
 #include "magicmass/scenes/run.hpp"
+#include "notation/tokens.hpp"
 
 namespace learn {
 namespace {
@@ -34,13 +35,17 @@ kernel::Substitution numbers_of(const std::string& question) {
 
 /// A counterexample in words. Of constants the right value is not given away.
 std::string difference(const equality::Counterexample& c) {
+  const auto shown = [](const std::string& value) {
+    const Texts fraction = matched(value, "-?[0-9]+/([0-9]{3,})");
+    if (fraction.empty()) return value.starts_with("too close") ? "0, or very nearly" : value;
+    const cln::cl_RA q = *notation::rational_value(notation::read_typed(value).term);
+    const bool is_decimal = cln::denominator(q * cln::expt(cln::cl_I(10), 15)) == 1;
+    return is_decimal ? answers::real_cell(cln::double_approx(q)).text : value;
+  };
   const bool is_small = c.difference.find("e-") != c.difference.npos;
   if (c.point.empty())
     return std::string(is_small ? "Yours is near, but not equal: it" : "Yours") + " is too " +
            (c.difference.starts_with('-') ? "small." : "large.");
-  const auto shown = [](const std::string& value) {
-    return value.starts_with("too close") ? "0, or very nearly" : value;
-  };
   const std::size_t slash = std::min(c.difference.find('/'), c.difference.size());
   const bool is_close = is_small || c.difference.size() > 2 * slash + 6;
   return "At " + c.point + " yours is " + shown(c.left) + "; it should be " + shown(c.right) +
@@ -161,19 +166,25 @@ std::string Terms::foreign(Expr term, const std::string& typed) const {
   if (names.empty()) return {};
   static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
                                            "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
+  const std::string wanted =
+      symbols.empty() ? "a number is asked for" : "an answer may use " + answers::joined(allowed());
+  const auto is_word = [](auto& one) { return one.size() > 3 && !notation::is_greek_name(one); };
+  if (names.size() > 1 && std::ranges::any_of(names, is_word) &&
+      !matched(typed, R"([^-+*/^=()_0-9\\]+)").empty())
+    return "words are not read; " + wanted;
   const std::string name = names[0], other_case(1, char(name[0] ^ 0x20));
   const bool is_letter = name.size() == 1 && symbols.contains(other_case);
   std::string other = is_letter ? other_case : notation::alike(name, symbols);
   if (other.empty()) other = notation::parted(name, symbols);
   replace_all(other, " ", "*");
-  const bool is_word = name.size() > 3 && name != exercise.name;  // v_1 is not meant for M_1
+  const bool is_near = name.size() > 3 && name != exercise.name;  // v_1 is not meant for M_1
   const auto shown = [&](const std::string& one) { return quoted(typed, notation::symbol(one)); };
+  if (symbols.empty() && name == exercise.name)
+    return shown(name) + " is what is asked for: give its value";
   return answers::joined(answers::texts_of(names, shown)) + (names.size() == 1 ? " has" : " have") +
-         " no place here: " +
-         (symbols.empty() ? "a number is asked for"
-                          : "an answer may use " + answers::joined(exercise.symbols)) +
+         " no place here: " + wanted +
          (symbols.empty() && std::ranges::includes(units, names) ? ", without units" : "") +
-         (other.empty() ? meant(name, is_word ? exercise.symbols : Texts{})
+         (other.empty() ? meant(name, is_near ? exercise.symbols : Texts{})
                         : "; is " + other + " meant?");
 }
 

@@ -36,6 +36,7 @@ public:
   equality::Domain domain(const std::set<std::string>& symbols) const;
   /// What a term lacks of the exercise's form, in the words of its text; "" where nothing.
   std::string lacking(Expr term, const std::string& text) const;
+  Texts allowed() const;  ///< the symbols that an answer in this form may use
 
   const Exercise& exercise;
 

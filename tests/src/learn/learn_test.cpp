@@ -53,6 +53,24 @@ std::string complaint(const std::string& text) {
 
 }  // namespace
 
+TEST_CASE("Prompt, list and judge agree on what an answer may use; no example gives it away") {
+  for (std::size_t variant = 0; variant < 2; ++variant)
+    for (const Exercise& e : classroom::exercises("", variant)) {
+      if (!e.choices.empty() || (e.kind != "symbolic" && e.kind != "predict")) continue;
+      INFO(e.id << ": " << learn::rules(e)[0]);
+      const Texts list = learn::matched(learn::rules(e)[0], "An answer may use: (.*)");
+      for (const std::string& name : learn::split(list.empty() ? "" : list[1], ',')) {
+        CHECK(!learn::matched(e.prompt, R"([\s\S]*\b)" + name + R"(\b[\s\S]*)").empty());
+        CHECK(learn::judge(e, name).mark != learn::Mark::unread);
+      }
+      const std::string how = learn::how_to_write(e, learn::judge(e, "(").feedback);
+      const std::string example = how.substr(how.find(" answer: ") + 9);
+      const learn::Judgement said = learn::judge(e, example);
+      CHECK(example.find(learn::own_answer(e)) == example.npos);
+      CHECK((said.mark == learn::Mark::wrong && said.notes.empty()));
+    }
+}
+
 TEST_CASE("Answers are judged as in both tables, one of which has five to each exercise") {
   std::vector<Texts> rows = rows_of("src/learn/five_answers.tsv", 5);
   std::map<std::string, Exercise> exercises;
