@@ -221,7 +221,7 @@ private:
     return found;
   }
   [[noreturn]] void refuse_index() const {
-    refuse_at(at + 1, "an index is a name or a number, as in T_m and T_2");
+    refuse_at(at + 1, "an index is a name or a number: T_m, T_2, or T_next for T_(m+1)");
   }
   std::string prime() {
     return takes(U"'") || takes(U"^\\prime") || takes(U"^{\\prime}") ? "_prime" : "";

@@ -297,6 +297,8 @@ private:
     if (is("^") || ((goes_on || has_factor) && (!is_term || is_fraction)))
       refuse_here(f + " " + more + "... has two readings: write " + f + "(" + more + "...) or " +
                   f + "(" + taken + ")" + now().quoted + "...");
+    if (words[from].text == "frac" && has_factor)  // \sin\frac{x}{2}y
+      note(f + " " + more + "... is read as " + f + "(" + taken + ")*" + now().quoted + "...");
     if (place > first) note(f + " " + taken + " is read as " + f + "(" + taken + ")");
     return e;
   }
