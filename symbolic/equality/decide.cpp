@@ -187,6 +187,11 @@ private:
   }
   bool is_proved_on(const Domain& part) {
     if (wanted == Wanted::Case) return false;
+    Domain known = narrowed(part, conditions(part));
+    for (const auto& [kind, term] : needs)
+      if (kind != Need::NotZero) known.further.push_back({term, ">=", 0});
+    for (const auto& [kind, term] : needs)  // x + sqrt(x^2 - 1) > 0 where x <= 0
+      if (kind == Need::Positive && is_certain({Need::NotNegative, -term}, known)) return true;
     return is_proved([&] {  // not where there is no point
       const Verdict found = decide(left, right, part, Wanted::Case);
       return found.answer == Answer::Equal && proved(found.proof);
@@ -263,8 +268,8 @@ private:
       }
       const Sum difference = forms.of(left) - forms.of(other);
       if (forms.is_zero(difference)) return proved(no_difference);
-      if (forms.is_zero(forms.of(notation::call("exp", left - other)) - number(1)))
-        return proved("normal form: the exponential of the difference is 1");
+      if (forms.is_zero(forms.of(notation::call("exp", 2 * (left - other))) - number(1)))
+        return proved("normal form: the exponential of twice the difference is 1");
       if (forms.is_not_negative(forms.of(left)) && forms.is_not_negative(forms.of(other)) &&
           forms.is_zero(forms.of(kernel::power(left, 2) - kernel::power(other, 2))))
         return proved("normal form: neither side is negative, and their squares are equal");

@@ -225,25 +225,24 @@ int Forms::sign_of_cosine(const Sum& sum) {
   }
   return 0;
 }
-// a - b for a and b from 0 on has the sign of a^d - b^d, without roots, and of log(a/b).
+// a + b for a root a and b of the other sign has the sign of a^d - b^d, d even, or the other one;
+// a - b for a and b from 0 on has that of log(a/b).
 int Forms::sign_of_two(const Sum& sum) {
+  for (const auto& [powers, q] : sum) {
+    cln::cl_I d = 1;
+    for (const auto& [atom, e] : powers) d = cln::lcm(d, cln::denominator(constant_part(e)));
+    const Sum root{{powers, q}};
+    const int side = d == 1 ? 0 : product(sign_of_powers(powers), q > 0 ? 2 : -2);
+    if (side == 0 || d > most_roots || side * sign_of(sum - root) >= 0) continue;
+    const int even = cln::cl_I_to_int(cln::lcm(d, 2));
+    const int sign = sign_of(integer_power(root, even) - integer_power(sum - root, even));
+    if (sign != 0) return side > 0 ? sign : -sign;
+  }
   if (sum.size() != 2) return 0;
   const auto& [first, q] = *sum.begin();
   const auto& [second, r] = *std::next(sum.begin());
   const int strength = std::min(sign_of_powers(first), sign_of_powers(second));
   if ((q > 0) == (r > 0) || strength < 1) return 0;
-  cln::cl_I d = 1;
-  for (const Product& one : {first, second})
-    for (const auto& [atom, e] : one) d = cln::lcm(d, cln::denominator(constant_part(e)));
-  if (d > 1 && d <= most_roots) {
-    Sum powers;
-    for (const auto& [one, number] : sum) {
-      Product power = one;
-      for (auto& [atom, e] : power) e = kernel::scaled(e, d);
-      powers = powers + scaled(reduced(power, cln::expt(cln::abs(number), d)), number > 0 ? 1 : -1);
-    }
-    if (const int sign = sign_of(powers)) return sign;
-  }
   Product ratio = first;
   for (const auto& [atom, e] : second) multiply(ratio, atom, kernel::scaled(e, -1));
   const int sign = sign_of(logarithm({{ratio, -q / r}}));
