@@ -145,6 +145,14 @@ Alpha restitution_of(const Request& request) {
                      shown_text(text));
 }
 
+/// Nothing where collisions end, or all but do.
+std::optional<magicmass::Collapse> collapse_of(double alpha, double e) {
+  try {
+    return magicmass::accurate::collapse(alpha, e);
+  } catch (const Undecided&) {
+    return {};
+  }
+}
 /// Counts and velocities at the end; where collisions never end, also when that is.
 Row end_of(const Asked& in, const Alpha& restitution) {
   const cln::cl_RA e = *fraction_of(restitution);
@@ -168,6 +176,9 @@ Row end_of(const Asked& in, const Alpha& restitution) {
     const auto balls = [&] { return answers::terminal(in.alpha, counts); };
     return concatenated({count_cells(counts), in.cells(counts.N_A, "cycles", exactly, balls)});
   }
+  if (in.number != nullptr && loss != nullptr)
+    if (const auto c = collapse_of(*in.number, *loss))
+      return concatenated({Row(2, endless_cell()), real_cells({c->v, c->v, c->v, c->rho, c->t})});
   const Trio trio = Trio::equal_blocks(value_of(in.alpha), value_of(e));
   const auto N = trio.count();
   const auto balls = [&] { return answers::terminal(trio, N); };

@@ -132,10 +132,8 @@ private:
     line(fields("typename N::Result", results));
     if (!numbers.empty()) line(fields("N", numbers));
     if (width > 0) {
-      const std::string next = width < 3 ? "" : "\n      ";
-      line("  static constexpr double bounds[4][" + std::to_string(width) + "] = {" + next +
-           joined(rows, next.empty() ? ", " : "," + next) +
-           "};\n  static constexpr const double* E = bounds[Tier::number];");
+      line("  static constexpr double bounds[4][" + std::to_string(width) + "] = {" +
+           joined(rows, ", ") + "};\n  static constexpr const double* E = bounds[Tier::number];");
     }
     inputs_and_outputs();
     for (int stage = 1; stage <= 3; ++stage) stage_function(stage, kept);

@@ -13,18 +13,14 @@ Expr at_1(Expr t) { return substitute(t, A_is_1); }
 Expr both_masses() { return (1 + M_C) * (1 + w_B * M_C); }
 
 /// t = tan(h_e/2), without cancellation but in `share_e`, which is 1 or less. |- h_e = step_e.
-Theorem angle(Book& book, Names& f) {
-  const Theorem all = f.positive("all_e", at_1(mass_of_all()), "With");
+Theorem angle(Book& book, Names& f, const Theorem& all, const Theorem& rise) {
   const Theorem both_are = f.positive("both_e", sqrt(both_masses()));
   const Theorem A_share = at_1(book["wedge.r_A"]), B_share = book["wedge.r_B"];
-  know(positive(A_share));
-  know(positive(B_share));
   const Expr inverse = 1 / (left(A_share) * left(B_share));
   const Theorem both_is = chain(both_are, root_is(both_masses(), inverse, {A_share, B_share}));
   const Theorem side = f.positive("side_e", of_e("both_e") / (1 + M_C));
   book.show("sides", "the factor of every second collision:",
             equation(left(A_share) / left(B_share), of_e("side_e"), {A_share, both_is, side}));
-  const Theorem rise = f.positive("rise_e", 4 * e * (M_C * of_e("all_e")));
   f.name("root_e", sqrt(e));
   const Theorem loss = f.name("loss_e", power(1 - e, 2) / of_e("rise_e"));
   const Theorem share = f.name("share_e", 1 - of_e("loss_e"));
@@ -149,6 +145,34 @@ void two_collisions(Book& book, Names& f) {
   const Theorem b_two = show("b_two", "B", w_B * f("taken_two"), {taken});
   energy_of_B(book, f, "rho_two", "taken_two", b_two);
 }
+/// Where collisions never end: when that is over, and what B has then.
+void collapse_forms(Book& book, Names f, const Theorem& all, const Theorem& rise) {
+  const Known here;
+  const Theorem taken = f.name("taken_any", 1 / left(all), "Where collisions never end, with");
+  const Theorem v_any = at(book["any_start.def_v_any"], {{M_A, 1}, {W, 0}});
+  const Theorem v = book.show("v_any", "all go on after them with the velocity",
+                              equation(left(v_any), V * (w_B * left(taken)), {v_any, taken, all}));
+  energy_of_B(book, f, "rho_any", "taken_any", v);
+  f.domain.push_back(lt(e, 1));
+  know(assume(lt(e, 1)));
+  const Theorem filled = f.name("filled_e", of_e("rise_e") / power(1 - e, 2), "With");
+  const Theorem room = f.name("room_e", 1 - of_e("filled_e"));
+  know(assume(lt(0, of_e("room_e"))));
+  f.domain.push_back(lt(0, of_e("room_e")));
+  const Theorem spread = f.positive("spread_e", (1 - e) * sqrt(of_e("room_e")));
+  const Theorem A_share = at_1(book["wedge.r_A"]), B_share = at_1(book["wedge.r_B"]);
+  const Theorem kappa_is = at_1(book["wedge.kappa"]);
+  const Expr S = left(spread), excess = S * left(A_share) * left(B_share) / (2 * sqrt(e));
+  const Theorems shares{kappa_is, A_share, B_share, spread, room, filled, rise, all};
+  const Theorem square = equation(power(left(kappa_is), 2), 1 + power(excess, 2), shares);
+  know(by_powers(le(1, left(kappa_is)), 2,
+                 {square, positive(kappa_is), positive(power(excess, 2))}));
+  const Theorem t_end = at(book["places.def_t_end"], {{M_A, 1}, {j, 0}});
+  const Theorem root = root_is(power(left(kappa_is), 2) - 1, excess, {square});
+  book.show("t_end", "they come as close as you like to the time",
+            equation(left(t_end), 2 * (1 + M_C) / (1 + e + S) * (L / V),
+                     Theorems{t_end, at_1(book["collapse.y_e"]), root} + shares));
+}
 }  // namespace
 
 void loss_forms(Book& book) {
@@ -158,6 +182,10 @@ void loss_forms(Book& book) {
   const Names names{book, masses(), {lt(0, M_C), le(0, w_B), lt(0, e)}};
   Names two = names, many = names;
   two_collisions(book, two);
-  velocities(book, many, angle(book, many));
+  const Theorem all = names.positive("all_e", at_1(mass_of_all()), "With");
+  const Theorem rise = names.positive("rise_e", 4 * e * (M_C * of_e("all_e")));
+  for (const char* share : {"wedge.r_A", "wedge.r_B"}) know(positive(at_1(book[share])));
+  collapse_forms(book, names, all, rise);
+  velocities(book, many, angle(book, many, all, rise));
 }
 }  // namespace derivation

@@ -22,10 +22,9 @@ template <class Tier, class N> struct CollisionSmall {
   T alpha, j;
   typename N::Result doubt{}, when, apart;
   N t, half_h, half_phase, half_sine, t2, t4;
-  static constexpr double bounds[4][6] = {
-      {0x1.27ap-52, 0x1.c01p-102, 0x1.84p-50, 0x1.27ap-52, 0x1.1a1p-51, 0x1.27ap-29},
-      {0x1.119p-74, 0x1.7bbp-146, 0x1.636p-72, 0x1.119p-74, 0x1.028p-73, 0x1.119p-51},
-      {0x1.ffp-96, 0x1.78ep-187, 0x1.90ep-92, 0x1.ffp-96, 0x1.d31p-94, 0x1.ffp-73},
+  static constexpr double bounds[4][6] = {{0x1.27ap-52, 0x1.c01p-102, 0x1.84p-50, 0x1.27ap-52,
+      0x1.1a1p-51, 0x1.27ap-29}, {0x1.119p-74, 0x1.7bbp-146, 0x1.636p-72, 0x1.119p-74, 0x1.028p-73,
+      0x1.119p-51}, {0x1.ffp-96, 0x1.78ep-187, 0x1.90ep-92, 0x1.ffp-96, 0x1.d31p-94, 0x1.ffp-73},
       {0x1.035p+4, 0x1.97cp-170, 0x1.a58p+6, 0x1.035p+4, 0x1.5efp+5, 0x1.035p+27}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit CollisionSmall(const CollisionInputs& in) :

@@ -17,11 +17,9 @@ template <class Tier, class N> struct CountsSmall {
   T alpha, N_A, N_B;
   typename N::Result doubt{};
   N half_h, t4, rest, to_next;
-  static constexpr double bounds[4][4] = {
-      {0x1.001p-52, 0x1.f2dp-54, 0x1.001p-52, 0x1.8f1p-54},
-      {0x1.001p-52, 0x1.147p-75, 0x1.001p-52, 0x1.ba5p-76},
-      {0x1.001p-52, 0x1.4e5p-98, 0x1.001p-52, 0x1.0f2p-98},
-      {0x1.001p+0, 0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3}};
+  static constexpr double bounds[4][4] = {{0x1.001p-52, 0x1.f2dp-54, 0x1.001p-52, 0x1.8f1p-54},
+      {0x1.001p-52, 0x1.147p-75, 0x1.001p-52, 0x1.ba5p-76}, {0x1.001p-52, 0x1.4e5p-98, 0x1.001p-52,
+      0x1.0f2p-98}, {0x1.001p+0, 0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit CountsSmall(const CountsInputs& in) : alpha(N::all(in.alpha)) {}
   [[gnu::always_inline]] CountsOutputs outputs() const { return {N::to_whole(N_A),

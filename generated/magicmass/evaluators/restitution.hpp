@@ -28,11 +28,9 @@ template <class Tier, class N> struct RestitutionGeneral {
   typename N::Result doubt{}, a_end, b_end, c_end, rho_end;
   N all_e, side_e, root_e, loss_e, share_e, z_e, t20, sine_e, t26, distance, to_next, span_e,
       left_e, next_e, power_e, last_reach_e, open_reach_e, last_sine_e, open_sine_e, t37;
-  static constexpr double bounds[4][4] = {
-      {0x1.001p-52, 0x1.552p-51, 0x1.001p-52, 0x1.2a7p-51},
-      {0x1.001p-52, 0x1.f79p-67, 0x1.001p-52, 0x1.b8ap-67},
-      {0x1.001p-52, 0x1.f07p-67, 0x1.001p-52, 0x1.b27p-67},
-      {0x1.001p+0, 0x1.148p+86, 0x1.001p+0, 0x1.e3dp+85}};
+  static constexpr double bounds[4][4] = {{0x1.001p-52, 0x1.552p-51, 0x1.001p-52, 0x1.2a7p-51},
+      {0x1.001p-52, 0x1.f79p-67, 0x1.001p-52, 0x1.b8ap-67}, {0x1.001p-52, 0x1.f07p-67, 0x1.001p-52,
+      0x1.b27p-67}, {0x1.001p+0, 0x1.148p+86, 0x1.001p+0, 0x1.e3dp+85}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit RestitutionGeneral(const RestitutionInputs& in) :
       M_C(N::all(in.M_C)), w_B(N::all(in.w_B)), e(N::all(in.e)) {}

@@ -38,15 +38,14 @@ template <class Tier, class N> struct TerminalSmall {
   T alpha, N_A, N_B;
   typename N::Result doubt{}, a_t, b_t, c_t, rho;
   N w, t, half_h, t4, rest, to_next, rest_sine, rest_cosine;
-  static constexpr double bounds[4][12] = {
-      {0x1.29ap-52, 0x1.5ap-106, 0x1.e06p-53, 0x1.c89p-53, 0x1.6efp-52, 0x1.e06p-51, 0x1.c89p-51,
-          0x1.971p-105, 0x1.001p-52, 0x1.f2dp-54, 0x1.001p-52, 0x1.8f1p-54},
-      {0x1.515p-74, 0x1.bc6p-150, 0x1.053p-74, 0x1.05fp-74, 0x1.9cbp-74, 0x1.053p-72, 0x1.05fp-72,
-          0x1.0bfp-148, 0x1.001p-52, 0x1.147p-75, 0x1.001p-52, 0x1.ba5p-76},
-      {0x1.d29p-97, 0x1.8e8p-195, 0x1.47fp-96, 0x1.235p-97, 0x1.353p-96, 0x1.be7p-94, 0x1.235p-95,
-          0x1.4b8p-194, 0x1.001p-52, 0x1.4e5p-98, 0x1.001p-52, 0x1.0f2p-98},
-      {0x1.a14p+5, 0x1.451p-171, 0x1.e73p+5, 0x1.0b6p+5, 0x1.125p+6, 0x1.e73p+7, 0x1.0b6p+7,
-          0x1.173p-170, 0x1.001p+0, 0x1.2dap+4, 0x1.001p+0, 0x1.f6bp+3}};
+  static constexpr double bounds[4][12] = {{0x1.29ap-52, 0x1.5ap-106, 0x1.e06p-53, 0x1.c89p-53,
+      0x1.6efp-52, 0x1.e06p-51, 0x1.c89p-51, 0x1.971p-105, 0x1.001p-52, 0x1.f2dp-54, 0x1.001p-52,
+      0x1.8f1p-54}, {0x1.515p-74, 0x1.bc6p-150, 0x1.053p-74, 0x1.05fp-74, 0x1.9cbp-74, 0x1.053p-72,
+      0x1.05fp-72, 0x1.0bfp-148, 0x1.001p-52, 0x1.147p-75, 0x1.001p-52, 0x1.ba5p-76}, {0x1.d29p-97,
+      0x1.8e8p-195, 0x1.47fp-96, 0x1.235p-97, 0x1.353p-96, 0x1.be7p-94, 0x1.235p-95, 0x1.4b8p-194,
+      0x1.001p-52, 0x1.4e5p-98, 0x1.001p-52, 0x1.0f2p-98}, {0x1.a14p+5, 0x1.451p-171, 0x1.e73p+5,
+      0x1.0b6p+5, 0x1.125p+6, 0x1.e73p+7, 0x1.0b6p+7, 0x1.173p-170, 0x1.001p+0, 0x1.2dap+4,
+      0x1.001p+0, 0x1.f6bp+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit TerminalSmall(const TerminalInputs& in) : alpha(N::all(in.alpha))
       {}
@@ -112,11 +111,9 @@ template <class Tier, class N> struct TerminalFirst {
   T alpha;
   typename N::Result doubt{}, a_t, b_t, c_t, rho;
   N of_a_t, t2, of_b_t, t4, of_c_t, of_rho;
-  static constexpr double bounds[4][4] = {
-      {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
-      {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
-      {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
-      {0x1.401p+2, 0x1.c01p+4, 0x1.001p+4, 0x1.c01p+3}};
+  static constexpr double bounds[4][4] = {{0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99},
+      {0x1.001p-101, 0x1.1c1p-98, 0x1.441p-99, 0x1.d21p-99}, {0x1.001p-101, 0x1.1c1p-98,
+      0x1.441p-99, 0x1.d21p-99}, {0x1.401p+2, 0x1.c01p+4, 0x1.001p+4, 0x1.c01p+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit TerminalFirst(const TerminalInputs& in) : alpha(N::all(in.alpha))
       {}

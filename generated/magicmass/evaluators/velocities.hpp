@@ -36,11 +36,11 @@ template <class Tier, class N> struct VelocitiesSmall {
   T alpha, n, t2;
   typename N::Result doubt{}, a, b, c, c_prime;
   N w, t, half_h, phase, sine, cosine;
-  static constexpr double bounds[4][7] = {
-      {0x1.466p-52, 0x1.466p-52, 0x1.ap-104, 0x1.685p-51, 0x1.928p-51, 0x1.314p-50, 0x1.044p-50},
-      {0x1.339p-74, 0x1.339p-74, 0x1.719p-148, 0x1.4acp-73, 0x1.798p-73, 0x1.1c4p-72, 0x1.e5cp-73},
-      {0x1.0a7p-95, 0x1.083p-95, 0x1.109p-190, 0x1.348p-94, 0x1.4f3p-94, 0x1.fbbp-94, 0x1.ae8p-94},
-      {0x1.596p+4, 0x1.36ep+4, 0x1.798p-172, 0x1.819p+5, 0x1.986p+5, 0x1.338p+6, 0x1.035p+6}};
+  static constexpr double bounds[4][7] = {{0x1.466p-52, 0x1.466p-52, 0x1.ap-104, 0x1.685p-51,
+      0x1.928p-51, 0x1.314p-50, 0x1.044p-50}, {0x1.339p-74, 0x1.339p-74, 0x1.719p-148, 0x1.4acp-73,
+      0x1.798p-73, 0x1.1c4p-72, 0x1.e5cp-73}, {0x1.0a7p-95, 0x1.083p-95, 0x1.109p-190, 0x1.348p-94,
+      0x1.4f3p-94, 0x1.fbbp-94, 0x1.ae8p-94}, {0x1.596p+4, 0x1.36ep+4, 0x1.798p-172, 0x1.819p+5,
+      0x1.986p+5, 0x1.338p+6, 0x1.035p+6}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit VelocitiesSmall(const VelocitiesInputs& in) :
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}
@@ -96,11 +96,9 @@ template <class Tier, class N> struct VelocitiesFirst {
   T alpha, n;
   typename N::Result doubt{}, a, b, c, c_prime;
   N per_mass, of_a, t2, of_b, of_c, t4, of_c_prime;
-  static constexpr double bounds[4][4] = {
-      {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
-      {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
-      {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
-      {0x1.401p+2, 0x1.c01p+4, 0x1.801p+2, 0x1.001p+4}};
+  static constexpr double bounds[4][4] = {{0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99},
+      {0x1.001p-101, 0x1.1c1p-98, 0x1.401p-101, 0x1.441p-99}, {0x1.001p-101, 0x1.1c1p-98,
+      0x1.401p-101, 0x1.441p-99}, {0x1.401p+2, 0x1.c01p+4, 0x1.801p+2, 0x1.001p+4}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit VelocitiesFirst(const VelocitiesInputs& in) :
       alpha(N::all(in.alpha)), n(N::whole(in.n)) {}

@@ -25,6 +25,10 @@ std::optional<Terminal> terminal(double alpha);
 /// t_j and s_j, units L/V and L, for any double alpha > 0 and j from 0 to N_A + N_B - 1 (j = 0: 0
 /// and 1), else throws InvalidInput.
 Collision collision(double alpha, std::int64_t j);
+/// Where collisions with restitution e, 0 < e <= 1, else InvalidInput, never end; nullopt: they do,
+/// which is decided exactly. Throws Undecided where 1 - 4 e alpha (2 + alpha)/(1 - e)^2, which is 0
+/// where collapse begins, is not below 0 and below 2^-80.
+std::optional<Collapse> collapse(double alpha, double e);
 /// psi, the angle of one cycle, in radians, below pi.
 double angle(double alpha);
 /// alpha_k and beta_k, unit 1, k >= 1, else throws InvalidInput.

@@ -11,7 +11,7 @@ struct InvalidInput : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 /// The answer exists, but the last precision did not settle it: never seen. Or it is one of those
-/// that fast::terminal(alpha, e) leaves out.
+/// that fast::terminal(alpha, e) and accurate::collapse leave out.
 struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -25,7 +25,7 @@ void terminal(std::span<const double> alpha, const TerminalColumns& columns);
 std::optional<Terminal> terminal(double alpha);
 /// The same where each collision has restitution e, 0 < e <= 1, else InvalidInput: errors are at
 /// most 4 envelopes of max(1/2, (|alpha y_alpha| + |e y_e|)/|2 y|) ulp, counts are exact. nullopt:
-/// the collisions never end (inelastic collapse; decided exactly), or accurate's where e is 1.
+/// the collisions never end (accurate::collapse; decided exactly), or accurate's where e is 1.
 /// Throws Undecided where 1 - (1 - e)^2/(4 e alpha (2 + alpha)), which is 0 where collapse begins,
 /// is above 0 and below 2^-80, or where more than 2^62 collisions take place with e < 1, or more
 /// than two with e below 2^-380.

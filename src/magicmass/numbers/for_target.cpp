@@ -115,6 +115,7 @@ const Kernels table{lanes == 8   ? "avx512"
                     {single<generated::Terminal, Fast>, single<generated::Terminal, Accurate>,
                      single<generated::Terminal, Slow>, terminal_by_mpfr},
                     restitution,
+                    single<generated::Collapse, Accurate>,
                     single<generated::Counts, Fast>,
                     {single<generated::Collision, Fast>, single<generated::Collision, Accurate>,
                      single<generated::Collision, Slow>, collision_by_mpfr},

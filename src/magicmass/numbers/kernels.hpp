@@ -37,8 +37,9 @@ bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j);
 bool angle_by_mpfr(double& result, double alpha);
 bool magic_by_mpfr(double& result, std::int64_t k);
 bool deficient_by_mpfr(double& result, std::int64_t k);
-/// Masses above 0, or per_B 0; 0 < e <= 1; within fast's promise. Whether they end.
+/// Masses above 0, or per_B 0; 0 < e <= 1; within fast's promise. Whether they end; never end.
 bool restitution_by_mpfr(Terminal& result, Masses masses, double e);
+bool collapse_by_mpfr(Collapse& result, double alpha, double e);
 
 /// Single numbers, and rows by tier (fast, accurate): how
 /// many of `size` are open, and which.
@@ -47,6 +48,7 @@ struct Kernels {
   Ladder<Velocities, double, std::int64_t> velocities;
   Ladder<Terminal, double> terminal;
   bool (*restitution)(Terminal& result, const Masses& masses, double e);
+  bool (*collapse)(Collapse& result, double alpha, double e);
   bool (*counts)(Counts& result, double alpha);
   Ladder<Collision, double, std::int64_t> collision;
   Ladder<double, double> angle;

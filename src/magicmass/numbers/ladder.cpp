@@ -64,6 +64,10 @@ Collision collision(Tier tier, double alpha, std::int64_t j) {
                        std::to_string(j));
   return certain(kernels().collision, tier + 1, alpha, j);
 }
+void check_restitution(double e) {
+  if (!(e > 0.0 && e <= 1.0))
+    throw InvalidInput("e must be above 0 and at most 1, got " + text_of(e));
+}
 double angle(Tier tier, double alpha) {
   check(alpha);
   return certain(kernels().angle, tier, alpha);
@@ -128,12 +132,18 @@ std::optional<Terminal> fast::terminal(const Masses& masses, double e) {
   if (!(masses.per_B == 0.0 || numbers::is_mass_ratio(masses.per_B)))
     throw InvalidInput("per_B must be finite and not negative, got " +
                        numbers::text_of(masses.per_B));
-  if (!(e > 0.0 && e <= 1.0))
-    throw InvalidInput("e must be above 0 and at most 1, got " + numbers::text_of(e));
+  numbers::check_restitution(e);
   Terminal t;
   const bool ends =
       numbers::kernels().restitution(t, masses, e) || numbers::restitution_by_mpfr(t, masses, e);
   return ends ? std::optional(t) : std::nullopt;
+}
+std::optional<Collapse> accurate::collapse(double alpha, double e) {
+  numbers::check(alpha);
+  numbers::check_restitution(e);
+  Collapse c;
+  if (numbers::kernels().collapse(c, alpha, e) || numbers::collapse_by_mpfr(c, alpha, e)) return c;
+  return std::nullopt;
 }
 Collision accurate::collision(double alpha, std::int64_t j) {
   return numbers::collision(numbers::accurate, alpha, j);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "magicmass/evaluators/angle.hpp"
+#include "magicmass/evaluators/collapse.hpp"
 #include "magicmass/evaluators/collision.hpp"
 #include "magicmass/evaluators/counts.hpp"
 #include "magicmass/evaluators/deficient.hpp"
@@ -23,11 +24,13 @@ inline namespace MAGICMASS_TARGET {
 [[gnu::always_inline]] inline void set(Terminal& to, const generated::RestitutionOutputs& v) {
   to = {{v.N_e - v.N_e / 2, v.N_e / 2}, v.a_end, v.b_end, v.c_end, v.rho_end};
 }
-[[gnu::always_inline]] inline void set(Counts& to, const generated::CountsOutputs& v) {
-  to = {v.N_A, v.N_B};
+[[gnu::always_inline]] inline void set(Collapse& to, const generated::CollapseOutputs& v) {
+  to = {v.t_end, v.v_any, v.rho_any};
 }
-[[gnu::always_inline]] inline void set(Collision& to, const generated::CollisionOutputs& v) {
-  to = {v.when, v.apart};
+/// Counts alone, or a collision.
+[[gnu::always_inline]] inline void set(auto& to, const auto& both) {
+  const auto& [first, second] = both;
+  to = {first, second};
 }
 /// Of an angle or a ratio.
 [[gnu::always_inline]] inline void set(double& to, const auto& only) {

@@ -42,6 +42,10 @@ struct Collision {
   double s = 0;
   friend bool operator==(const Collision&, const Collision&) = default;
 };
+/// The end of infinitely many collisions, t as above; all have the velocity v then, B rho as above.
+struct Collapse {
+  double t = 0, v = 0, rho = 0;
+};
 /// alpha_k and beta_k.
 struct Ratios {
   double magic = 0;

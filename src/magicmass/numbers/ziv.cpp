@@ -28,6 +28,12 @@
 //   r = 1, a >= 2: p^2 2 T_2 = Y^2 - 2 p^2 = 2 (2^(2m+1) - p^2) is +- a power of 2, and 2^(2m+1) -
 //   p^2 is odd, so 2^(2m+1) = p^2 +- 1: p^2 + 1 is 2 mod 8, and (p - 1)(p + 1) such a power for
 //   p = 3 alone: alpha = 1/2, where only j <= 2 take place.
+//  Collapse, e = a/2^p, a odd: (1 + alpha) (1 + e t^2) = (1 + e) t, and e t^2 <= 1, as t is the
+//   lesser root and 1/e the product of both. Were t = T 2^i, T > 1 odd: a T^2 <= 2^(p-2i), so M =
+//   2^(p-2i) + a T^2 is odd. It shares no factor with T, and (1 + alpha) M = (2^p + a) T/2^i, so
+//   r = (2^p + a)/M is whole, and odd. i <= 0: M is above 2^p + a. i > 0: 1 + alpha = r T/2^i is
+//   not whole; but with T of 54 bits, as between doubles, 1 + alpha > t/2 >= 2^53. v, rho: dyadic
+//   only where 2 + alpha is a power of 2, and doubles then.
 //  psi: cos(psi/2) = u is rational, so psi is transcendental (Lindemann).
 
 #include "magicmass/exact/exact.hpp"
@@ -149,6 +155,13 @@ bool restitution_by_mpfr(Terminal& result, Masses masses, double e) {
     return doubt;
   });
   return true;
+}
+bool collapse_by_mpfr(Collapse& result, double alpha, double e) {
+  const AllExponents here;
+  MpfrFloat::bits = last_bits;
+  const auto two = generated::two_collisions_exact<MpfrFloat>(alpha, 1.0, e);
+  return !two.ends.is_positive() &&
+         settle<generated::Collapse>(result, "collapse", false, alpha, e);
 }
 bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j) {
   return settle<generated::Collision>(result, "a collision", false, alpha, j);

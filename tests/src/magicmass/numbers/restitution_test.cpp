@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "law_of_collision.hpp"
+#include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
 #include "magicmass/oracle/rational.hpp"
 #include "rows.hpp"
@@ -119,6 +120,30 @@ TEST_CASE("with restitution errors are at most 4 envelopes, and counts exact") {
     for (int i = 0; i < rows; ++i) worst = std::fmax(worst, worst_of(some(random, i)));
     CHECK(worst > 0.5);
   }
+}
+
+TEST_CASE("whether collisions never end is exact, and what they come to correctly rounded") {
+  Random random(21);
+  int collapses = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const double part = std::exp2(-40 * uniform(random)), e = i % 3 == 0 ? 1 - part : part;
+    const double square = (1 - e) * (1 - e) / (4 * e), by = std::exp2(-55 * uniform(random));
+    const double alpha = square / (1 + std::sqrt(1 + square)) * (i % 2 == 0 ? 1 + by : 1 - by);
+    INFO("alpha " << alpha << " e " << e);
+    const cl_RA y = oracle::exact(e), ball = 1 + oracle::exact(alpha), all = 1 + ball;
+    const std::optional<Collapse> got = accurate::collapse(alpha, e);
+    REQUIRE(got.has_value() == (4 * y * ball * ball <= cln::square(1 + y)));
+    if (!got) continue;
+    ++collapses;
+    CHECK(got->v == oracle::nearest(1 / all));
+    CHECK(got->rho == oracle::nearest(1 / (all * all)));
+    for (const double to : {0.0, 1e308}) {  // halfway; left of the lesser root, or beyond it
+      const cl_RA t = (oracle::exact(got->t) + oracle::exact(std::nextafter(got->t, to))) / 2;
+      CHECK((2 * y * ball * t > 1 + y || (y * t * t + 1) * ball < (1 + y) * t) == (to > 0));
+    }
+  }
+  CHECK(collapses > 2500);
+  CHECK_THROWS_WITH(accurate::collapse(0.25, 0.25), ContainsSubstring("still open"));
 }
 
 TEST_CASE("whole angles, collapse, digits of pi and refusals are as in restitution.tsv") {
