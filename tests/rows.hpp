@@ -2,12 +2,23 @@
 #pragma once
 
 #include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
 
-/// Of a file in tests: a row a line but comments (#), of so many fields, with tabs between them.
-inline std::vector<std::vector<std::string>> rows_of(const std::string& file, std::size_t columns) {
+#include "catch.hpp"
+
+inline std::string contents_of(const std::string& file) {
+  std::ifstream in(file);
+  INFO(file);
+  REQUIRE(in);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+/// Of a file in tests: a row a line but comments (#), of so many fields, with tabs between them; at
+/// least so many rows.
+inline std::vector<std::vector<std::string>> rows_of(const std::string& file, std::size_t columns,
+                                                     std::size_t least = 1) {
   std::ifstream in(MAGICMASS_SOURCE "/tests/" + file);
   std::vector<std::vector<std::string>> rows;
   for (std::string line; std::getline(in, line);) {
@@ -15,5 +26,7 @@ inline std::vector<std::vector<std::string>> rows_of(const std::string& file, st
     std::istringstream fields(line);
     for (std::string& field : rows.emplace_back(columns)) std::getline(fields, field, '\t');
   }
+  INFO(file);
+  REQUIRE(rows.size() >= least);
   return rows;
 }

@@ -85,17 +85,13 @@ coq::Chapter axioms() {
   for (const std::string& name : axiom_names()) out.shown.emplace_back(name, axiom(name));
   return out;
 }
-std::string said_of(const std::string& file) {
-  std::ifstream said(file + ".said");
-  return {std::istreambuf_iterator<char>(said), {}};
-}
 /// What coqc says, "" where it accepts; compiled files stay in the folder of this test.
 std::string refusal(const std::string& file, const std::string& text) {
   std::ofstream(file + ".v") << text;
   const std::string command =
       MAGICMASS_COQC " -q -w none -R . Magicmass " + file + ".v >" + file + ".said 2>&1";
   if (std::system(command.c_str()) == 0) return "";
-  const std::string words = said_of(file);
+  const std::string words = contents_of(file + ".said");
   return words.empty() ? "refused" : words;
 }
 }  // namespace
@@ -109,11 +105,9 @@ TEST_CASE("coqc proves every step of the examples, and refuses what was spoiled"
     CHECK(refusal(file, text) == "");
     texts[file] = text;
   }
-  CHECK(coq::foreign_assumption(said_of("assumptions")) == "");
+  CHECK(coq::foreign_assumption(contents_of("assumptions.said")) == "");
 
-  const auto rows = rows_of("symbolic/coq/spoiled.tsv", 4);
-  REQUIRE(rows.size() == 6);
-  for (auto row : rows) {
+  for (auto& row : rows_of("symbolic/coq/spoiled.tsv", 4, 6)) {
     for (std::string& field : row) field = std::regex_replace(field, std::regex(R"(\\n)"), "\n");
     INFO(row[1]);
     std::string text = texts.at(row[0]);
@@ -130,6 +124,6 @@ TEST_CASE("an axiom that is not of Coq's library is seen") {
                   "From Magicmass Require Import prelude.\nAxiom hidden : 0 = 1.\n"
                   "Lemma one : 0 = 1 /\\ PI = PI. Proof. split; [exact hidden|easy]. Qed.\n"
                   "Print Assumptions one.\n") == "");
-  CHECK(coq::foreign_assumption(said_of("hidden")) == "hidden");
+  CHECK(coq::foreign_assumption(contents_of("hidden.said")) == "hidden");
   CHECK(coq::foreign_assumption("") == "what coqc does not say");
 }

@@ -37,10 +37,11 @@ cl_R of_function(Expr e, const std::vector<cl_R>& x) {
     const cl_R r = cln::round1(y);
     return cln::abs(y - r) < tiny() ? r : cl_R(cln::ceiling1(y));
   };
-  if (f == "inv") {
-    if (cln::abs(x[0]) < tiny()) throw Undefined();
-    return 1 / x[0];
-  }
+  const auto over = [](const cl_R& above, const cl_R& below) -> cl_R {
+    if (cln::abs(below) < tiny()) throw Undefined();
+    return above / below;
+  };
+  if (f == "inv") return over(1, x[0]);
   if (f == "sqrt") {
     if (x[0] < -tiny()) throw Undefined();
     return x[0] < tiny() ? exact(0) : cln::realpart(cln::sqrt(exact(x[0])));
@@ -66,10 +67,7 @@ cl_R of_function(Expr e, const std::vector<cl_R>& x) {
     }
     return sum;
   }
-  if (f == "tan") {
-    if (cln::abs(cln::cos(exact(x[0]))) < tiny()) throw Undefined();
-    return cln::tan(exact(x[0]));
-  }
+  if (f == "tan") return over(cln::sin(exact(x[0])), cln::cos(exact(x[0])));
   return function(f, x);
 }
 Matrix product(const Matrix& a, const Matrix& b) {
@@ -330,9 +328,7 @@ TEST_CASE("each axiom is true at random points, and none of these is") {
 }
 
 TEST_CASE("false statements are seen") {
-  const auto rows = rows_of("symbolic/derivation/false.tsv", 3);
-  REQUIRE(rows.size() > 80);
-  for (const auto& row : rows) {
+  for (const auto& row : rows_of("symbolic/derivation/false.tsv", 3, 81)) {
     const kernel::Theorem theorem = the_book()[row[0]];
     std::string words = kernel::text(theorem.conclusion());
     const std::size_t at = words.find(row[1]);

@@ -1,24 +1,18 @@
 // generated/ is what the theorems give; the manifest tells of every header, and each header says
 // what the manifest does.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
 
 #include <nlohmann/json.hpp>
 
 #include "catch.hpp"
 #include "generate/quantities.hpp"
+#include "rows.hpp"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
-std::string read(const fs::path& path) {
-  std::ifstream file(path);
-  REQUIRE(file);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 /// Comments are broken into lines.
 std::string unbroken(const std::string& text) {
   const std::string bare = std::regex_replace(text, std::regex("[/\"]"), "");
@@ -37,15 +31,14 @@ TEST_CASE("the committed files are what the theorems give, and a second time the
 TEST_CASE("each entry's header is there and makes the claims of the entry") {
   const std::set<std::string> forms{"evaluator", "closed",   "product",    "tangent",
                                     "exact",     "matrices", "restitution"};
-  const std::string errors =
-      unbroken(read(fs::path(GENERATED) / "magicmass/evaluators/errors.txt"));
+  const std::string errors = unbroken(contents_of(GENERATED "/magicmass/evaluators/errors.txt"));
   std::set<std::string> headers, seen;
-  for (const json& entry : json::parse(read(fs::path(GENERATED) / "manifest.json"))) {
+  for (const json& entry : json::parse(contents_of(GENERATED "/manifest.json"))) {
     const std::string path = entry.at("header"), form = entry.at("form");
     INFO(path << ", " << std::string(entry.at("name")));
     seen.insert(form);
     headers.insert(path);
-    const std::string code = read(fs::path(GENERATED) / path), header = unbroken(code);
+    const std::string code = contents_of(GENERATED "/" + path), header = unbroken(code);
     for (const std::string name : entry.at("outputs")) {
       check_says(header, name);
       const std::regex ceilings("Ceilings of rounded numbers, maybe off[^.]* " + name + "[,.]");

@@ -9,9 +9,7 @@ TEST_CASE("LaTeX and MathML of terms and formulas") {
   for (const char* name : {"alpha", "x", "y", "u_1", "V_CM", "c'", "delta_e", "share_e"})
     kernel::real(name);
   kernel::integer("n");
-  const auto rows = rows_of("symbolic/render/formulas.tsv", 3);
-  REQUIRE(rows.size() > 35);
-  for (const auto& row : rows) {
+  for (const auto& row : rows_of("symbolic/render/formulas.tsv", 3, 36)) {
     const kernel::Expr formula = notation::read(row[0]);
     INFO(row[0]);
     if (!row[1].empty()) CHECK(render::latex(formula) == row[1]);
