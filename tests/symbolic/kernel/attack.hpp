@@ -1,10 +1,12 @@
 // Attacks: each is refused, and for the reason that stands beside it.
 #pragma once
 
+#include <sstream>
 #include <string>
 
 #include "catch.hpp"
 #include "kernel/theorem.hpp"
+#include "notation/typed.hpp"
 
 // What most attacks are about.
 inline const kernel::Expr x = kernel::real("x"), y = kernel::real("y");
@@ -20,6 +22,13 @@ inline kernel::Expr doubled(int times) {
   return e;
 }
 
+/// Terms and formulas with ";" between them.
+inline kernel::Exprs listed(const std::string& words) {
+  kernel::Exprs out;
+  std::istringstream in(words);
+  for (std::string word; std::getline(in, word, ';');) out.push_back(notation::read(word));
+  return out;
+}
 template <class Act>
 void refused(const std::string& name, const std::string& because, const Act& act) {
   INFO(name);

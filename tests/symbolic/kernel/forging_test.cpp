@@ -101,10 +101,8 @@ TEST_CASE("a planted forgery is found, and named") {
   plant("kernel/rules.cpp", "namespace kernel { }");
   plant("honest.cpp", "using namespace kernel;\n// no cast here\nint x = kernel::f();\n");
   CHECK(forged({folder}).empty());
-  const auto rows = rows_of("symbolic/kernel/forged.tsv", 2);
-  REQUIRE(rows.size() == 36);
   CHECK(forging_words().size() == 28);
-  for (const auto& row : rows) {
+  for (const auto& row : rows_of("symbolic/kernel/forged.tsv", 2, 36)) {
     const std::string code = std::regex_replace(row[0], std::regex(R"(\\n)"), "\n");
     INFO(code);
     plant("forged.cpp", code);
