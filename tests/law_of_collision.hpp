@@ -31,4 +31,9 @@ struct ThreeBodies {
     for (std::size_t i = 0; i < 3; ++i) place[i] = place[i] + t * v[i];
   }
 };
+/// Blocks of mass 1, B at 1 from A and the ball, V = 1.
+template <class Number>
+ThreeBodies<Number> equal_blocks(const Number& alpha, const Number& e = 1) {
+  return {1, 1, alpha, e, {1, 0, 0}, {0, 1, 0}};
+}
 }  // namespace law

@@ -23,10 +23,6 @@ oracle::MassRatio same(const notation::Alpha& alpha) {
     return at->is_magic ? oracle::magic(at->k) : oracle::deficient(at->k);
   return oracle::ratio(*fraction_of(alpha));
 }
-/// Blocks of mass 1, a ball of mass alpha, B at 1 from A and C.
-law::ThreeBodies<cl_RA> bodies(const cl_RA& alpha, const cl_RA& e) {
-  return {1, 1, alpha, e, {1, 0, 0}, {0, 1, 0}};
-}
 std::string shown(const cl_RA& exact) { return real_cell(cln::double_approx(exact)).text; }
 /// A row of tier exact: counts or n, then numbers.
 Row asked(Answer (*command)(const Request&), const std::string& alpha, const std::string& option,
@@ -86,7 +82,7 @@ TEST_CASE("what no digits can show is undecided, never a guess") {
 TEST_CASE("tier exact is in fractions") {
   for (const auto& [alpha, e] : {std::pair{"1/7", "9/10"}, {"0.1", "0.75"}, {"3", "1/3"}}) {
     const cln::cl_RA mass = *fraction_of(alpha_of(alpha));
-    auto steps = bodies(mass, *fraction_of(alpha_of(e)));
+    auto steps = law::equal_blocks(mass, *fraction_of(alpha_of(e)));
     while (steps.approach() > 0) steps.collide();
     const auto& [a, b, c] = steps.v;
     const Row row = asked(answers::terminal, alpha, "restitution", e);

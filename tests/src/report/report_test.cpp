@@ -121,11 +121,8 @@ TEST_CASE("Each form that the manifest has of a quantity is measured", "[exam]")
 
 TEST_CASE("The worst of all families stands beside the time of everyday ones", "[check]") {
   const auto seen = [](const char* family, double ulp, double ratio) {
-    return Measurement{"naive",
-                       Quantity::velocities,
-                       family,
-                       {.max_ulp = ulp},
-                       {.ratio = ratio, .ratio_low = ratio, .ratio_high = 1.5 * ratio}};
+    const Times times{.ratio = ratio, .ratio_low = ratio, .ratio_high = 1.5 * ratio};
+    return Measurement{"naive", Quantity::velocities, family, {.max_ulp = ulp}, times};
   };
   const std::string both = document_of({seen("everyday", 1, 7), seen("tiny", 2, 9)}, true);
   CHECK(both.find("\n| naive | tiny | 2 | 0 | 0 | 7 +-50 % |") != std::string::npos);

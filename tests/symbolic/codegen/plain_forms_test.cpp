@@ -16,13 +16,9 @@ namespace {
 using namespace magicmass::generated;
 using cln::cl_RA;
 
-/// By the law alone: V = L = 1.
-law::ThreeBodies<cl_RA> bodies(const cl_RA& alpha) {
-  return {1, 1, alpha, 1, {1, 0, 0}, {0, 1, 0}};
-}
 /// a, b, c and c' after n cycles.
 std::array<cl_RA, 4> after(const cl_RA& alpha, std::int64_t n) {
-  law::ThreeBodies<cl_RA> m = bodies(alpha);
+  auto m = law::equal_blocks(alpha);
   cl_RA c = 0;
   while (m.N < 2 * n) {
     m.collide();
@@ -73,7 +69,7 @@ void check_domain(Number low, Number high, const Function& f) {
 
 TEST_CASE("plain terminal velocities and counts are those of the collisions") {
   for (const cl_RA& alpha : {cl_RA("1"), cl_RA("1/7"), cl_RA("1/100"), cl_RA("9/10"), cl_RA("5")}) {
-    law::ThreeBodies<cl_RA> m = bodies(alpha);
+    auto m = law::equal_blocks(alpha);
     while (m.approach() > 0) m.collide();
     const int N_A = (m.N + 1) / 2, N_B = m.N / 2;
     const auto [a, b, ball] = m.v;

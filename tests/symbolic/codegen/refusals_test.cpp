@@ -25,8 +25,9 @@ Theorem definition(Expr term, const Exprs& params = {alpha}) {
   static int count = 0;
   return define("q" + std::to_string(++count) + "_", params, term);
 }
-Quantity quantity(const Theorem& output, Interval range = {0x1p-20, below_1}) {
-  return {"test", "none", {{alpha, range, range}}, {Case{"only", {}, {}, {output}, {}, {}}}};
+Quantity quantity(const Theorem& output, Interval range = {0x1p-20, below_1},
+                  const Theorems& definitions = {}) {
+  return {"test", "none", {{alpha, range, range}}, {Case{"only", {}, definitions, {output}}}};
 }
 codegen::Analysis analysis(const Quantity& q) {
   codegen::Plan plan;
@@ -53,8 +54,7 @@ Expr f(Expr index) {
 TEST_CASE("H1: an arctangent of what has no relative bound is refused, not called exact") {
   const Theorem x = definition(1 / (2 + alpha) - Expr(1) / Expr(4));
   const Theorem square = definition(power(x.conclusion().arg(0), 2));
-  Quantity q = quantity(definition(atan(x.conclusion().arg(0))), {1, 3});
-  q.cases[0].definitions = {x, square};
+  Quantity q = quantity(definition(atan(x.conclusion().arg(0))), {1, 3}, {x, square});
   const Expr equation = eq(power(x.conclusion().arg(0), 2), square.conclusion().arg(0));
   q.cases[0].facts = {{equation, "its definition"}};
   refuses(q, "no relative error bound");
@@ -65,8 +65,7 @@ TEST_CASE("what has no relative bound divides only where it is tested") {
   const Theorem y = definition(1 / (2 + alpha) - Expr(1) / Expr(4));
   const Expr of_y = y.conclusion().arg(0);
   const auto over = [&](Expr above, double least = 0x1p-90) {
-    Quantity q = quantity(definition(above / of_y), {1, 2});
-    q.cases[0].definitions = {y};
+    Quantity q = quantity(definition(above / of_y), {1, 2}, {y});
     q.cases[0].facts = {{le(Expr(codegen::exact(least)), of_y), "a test"}};
     return q;
   };
@@ -103,9 +102,7 @@ TEST_CASE("H3: ranges are data, and emitted as guards") {
 TEST_CASE("what is refused, in which range and as what, is as in refusals.tsv; H4 among it") {
   real("beta");
   const Theorem one = definition(1 + alpha);
-  const auto rows = rows_of("symbolic/codegen/refusals.tsv", 5);
-  REQUIRE(rows.size() == 34);
-  for (const auto& row : rows) {
+  for (const auto& row : rows_of("symbolic/codegen/refusals.tsv", 5, 34)) {
     INFO(row[0] << " " << row[1] << " from " << row[2] << " to " << row[3]);
     const Expr given = notation::read(row[1]);
     const Interval range{std::stod(row[2]), std::stod(row[3])};
@@ -132,9 +129,8 @@ TEST_CASE("an input may stand as a number where its interval is that point") {
 TEST_CASE("M3: a fact about exact values is not used of computed ones that are too far off") {
   const Theorem x = definition(1 - alpha);
   const Theorem y = definition(Expr(1) / Expr(3) - alpha * alpha);
-  Quantity q = quantity(definition(x.conclusion().arg(0) * y.conclusion().arg(0)));
-  q.cases[0].definitions = {y, x};
-  q.inputs[0].range = {0.25, 0.58};
+  const Theorem product = definition(x.conclusion().arg(0) * y.conclusion().arg(0));
+  Quantity q = quantity(product, {0.25, 0.58}, {y, x});
   const Expr fact = le(y.conclusion().arg(0), x.conclusion().arg(0));
   q.cases[0].facts = {{fact, "a test"}, {le(0, y.conclusion().arg(0)), "alpha^2 < 1/3"}};
   refuses(q, "a fact is not known of computed values");
@@ -179,9 +175,8 @@ TEST_CASE("what may over- or underflow is refused, at the edge from both sides")
 }
 TEST_CASE("names do not collide, and cases agree on outputs") {
   const Theorem doubt = define("doubt", {alpha}, 1 + alpha);
-  Quantity q = quantity(definition(doubt.conclusion().arg(0) * alpha));
-  q.cases[0].definitions = {doubt};
-  refuses(q, "two values are called doubt");
+  refuses(quantity(definition(doubt.conclusion().arg(0) * alpha), {0.5, 1}, {doubt}),
+          "two values are called doubt");
   Quantity two = quantity(definition(1 + alpha));
   CHECK_THROWS_WITH(codegen::emit_plain({{two, "closed"}}, {}, {"speed"}),
                     ContainsSubstring("no output is called speed"));

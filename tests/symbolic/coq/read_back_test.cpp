@@ -36,11 +36,9 @@ int depth = 0;
 Expr of(const Part& p);
 Exprs every_other(const Parts& parts, const std::string& between) {
   Exprs out;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    if (k % 2 == 0)
-      out.push_back(of(parts[k]));
-    else
-      REQUIRE(parts[k].word == between);
+  for (std::size_t k = 0; k < parts.size(); k += 2) {
+    out.push_back(of(parts[k]));
+    if (k + 1 < parts.size()) REQUIRE(parts[k + 1].word == between);
   }
   return out;
 }
@@ -65,10 +63,9 @@ Expr named(const std::string& word, const Exprs& args) {
     return make({.op = Op::Bound,
                  .index = depth - 1 - std::stoi(word.substr(2)),
                  .variable = bound.at(word)});
-  const std::string name = word == "PI" ? "pi"
-                           : word.size() > 2 && word.ends_with("'k")
-                               ? word.substr(0, word.size() - 2)
-                               : word;
+  const bool is_marked = word.size() > 2 && word.ends_with("'k");
+  const std::string bare = is_marked ? word.substr(0, word.size() - 2) : word;
+  const std::string name = word == "PI" ? "pi" : bare;
   const Expr variable = known_variable(name);
   return variable && args.empty() ? variable : fun(name, args);
 }

@@ -69,12 +69,10 @@ Line random_line() {
   const cl_RA most = L * (free == 0 ? cl_RA(3) : V / free);
   const cl_RA W = engine() % 2 == 0 ? cl_RA(0) : fraction(-20, 9, 10) * most;
   const cl_RA per_B = has_wall ? cl_RA(0) : 1 / fraction(1, 40, 6);
-  Line line{fraction(1, 40, 6),
-            per_B,
-            fraction(1, 24, engine() % 4 == 0 ? 400 : 12),
-            e,
-            {drift + W + V, drift, drift + W},
-            {start, start + free + L, start + free}};
+  const cl_RA A = fraction(1, 40, 6), ball = fraction(1, 24, engine() % 4 == 0 ? 400 : 12);
+  const cl_RA ball_place = start + free;
+  Line line{
+      A, per_B, ball, e, {drift + W + V, drift, drift + W}, {start, ball_place + L, ball_place}};
   if (e < 1 && engine() % 4 == 0) at_border(line, engine() % 3 != 0);
   if (engine() % 8 == 0) meet_at_once(line);
   return line;
