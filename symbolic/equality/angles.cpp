@@ -113,11 +113,10 @@ Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vect
   };
   for (Expr angle : parts_of(right))
     for (Expr other : parts_of(left))
-      for (const cln::cl_RA& q : {cln::cl_RA(1), cln::cl_RA(2), cln::cl_RA(1) / 2, cln::cl_RA(-1),
-                                  cln::cl_RA(-2), cln::cl_RA(-1) / 2}) {
+      for (const int halves : {2, 4, 1, -2, -4, -1}) {
         const bool are_angles = is_arcus(angle) && is_arcus(other) && angle != other;
         if (!are_angles || same.contains(angle) || common.empty()) break;
-        is_proved([&] { return try_multiple(angle, other, q); });
+        is_proved([&] { return try_multiple(angle, other, cln::cl_RA(halves) / 2); });
       }
   for (const auto& [angle, guess] : same) right = kernel::replace(right, angle, guess);
   return right;

@@ -1,5 +1,4 @@
-// What the kernel proves again from its own rules: equations of terms built by +, *, /, roots, and
-// sines of parts of pi.
+// What the kernel proves again: equations of terms of +, *, /, roots and sines of parts of pi.
 #include <cmath>
 
 #include "algebra/tactics.hpp"
@@ -122,8 +121,7 @@ struct Roots {
     if (!square || *square == 0) return {};
     return Surd{a, *square, b.begin()->second > 0};
   }
-  // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) and sqrt((a - d)/2), added or subtracted, where
-  // d^2 = a^2 - b^2.
+  // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) plus or minus sqrt((a - d)/2), d^2 = a^2 - b^2.
   std::optional<Expr> sum_of_roots(Expr root) {
     const auto x = is_call(root, "sqrt") ? surd(root.arg(0)) : std::nullopt;
     cln::cl_RA d;

@@ -148,18 +148,16 @@ Bounds power(const Bounds& base, int exponent) { return {base.u * exponent, base
 
 class Separation final : public Walk<Bounds> {
 public:
-  std::optional<double> bits(Expr e) {
-    try {
-      const Bounds bounds = (*this)(e);
-      double degree = 1;
-      for (const auto& [root, order] : roots)
-        if (order != 2 || !is_in_circle(root.arg(0))) degree *= order;
-      // The angles' cosines and sines lie in the real part of the field of one root of unity.
-      degree *= circle > 2 ? double(totient(circle)) / 2 : 1;
-      return (degree - 1) * std::max(bounds.u, 0.0) + bounds.l + 2;
-    } catch (const NotCertain&) {
-      return {};
-    }
+  std::optional<double> bits(Expr e) try {
+    const Bounds bounds = (*this)(e);
+    double degree = 1;
+    for (const auto& [root, order] : roots)
+      if (order != 2 || !is_in_circle(root.arg(0))) degree *= order;
+    // The angles' cosines and sines lie in the real part of the field of one root of unity.
+    degree *= circle > 2 ? double(totient(circle)) / 2 : 1;
+    return (degree - 1) * std::max(bounds.u, 0.0) + bounds.l + 2;
+  } catch (const NotCertain&) {
+    return {};
   }
 
 private:
@@ -219,15 +217,12 @@ std::optional<cln::cl_RA> root_exponent(Expr root) {
 }
 int order_of(Expr root) { return cln::cl_I_to_int(cln::denominator(*root_exponent(root))); }
 
-std::optional<cln::cl_RA> multiple_of_pi(Expr e) {
-  try {
-    const kernel::Polynomial p = kernel::polynomial(e);
-    if (p.empty()) return cln::cl_RA(0);
-    const bool is_one = p.size() == 1 && p.begin()->first == kernel::Monomial{{kernel::pi(), 1}};
-    return is_one ? std::optional(p.begin()->second) : std::nullopt;
-  } catch (const kernel::Refused&) {  // too long
-    return {};
-  }
+std::optional<cln::cl_RA> multiple_of_pi(Expr e) try {
+  const kernel::Polynomial p = kernel::polynomial(e);
+  const cln::cl_RA q = of_part(p, {{kernel::pi(), 1}});
+  return p == times_pi(q) ? std::optional(q) : std::nullopt;
+} catch (const kernel::Refused&) {  // too long
+  return {};
 }
 
 std::optional<cln::cl_RA> near_fraction(const cln::cl_RA& value, int largest_denominator) {

@@ -112,8 +112,7 @@ private:
   }
   bool is_different_somewhere() {
     const Domain box = narrowed(domain, conditions(domain));
-    std::vector<Point> all =
-        points(box, wanted == Wanted::Case ? points_of_case : points_tried, {left, right});
+    auto all = points(box, wanted == Wanted::Case ? points_of_case : points_tried, {left, right});
     if (all.empty()) kernel::refuse("no point of the domain was found");
     const auto add = [&](const Domain& part, std::size_t count) {
       for (const Point& point : points(part, count, {}, true))
@@ -343,14 +342,12 @@ private:
 };
 }  // namespace
 
-Verdict decide(Expr left, Expr right, const Domain& domain, Wanted wanted) {
-  try {
-    return Question(left, right, domain, wanted).answer();
-  } catch (const NotDefined& none) {
-    kernel::refuse(std::string("there is no value: ") + none.what());
-  } catch (const TooLarge& large) {
-    return {.proof = std::string("not decided: ") + large.what()};
-  }
+Verdict decide(Expr left, Expr right, const Domain& domain, Wanted wanted) try {
+  return Question(left, right, domain, wanted).answer();
+} catch (const NotDefined& none) {
+  kernel::refuse(std::string("there is no value: ") + none.what());
+} catch (const TooLarge& large) {
+  return {.proof = std::string("not decided: ") + large.what()};
 }
 const char* word(Answer answer) {
   constexpr const char* words[]{"equal", "different", "undecided"};

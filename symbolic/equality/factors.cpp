@@ -92,8 +92,7 @@ std::vector<std::pair<Polynomial, int>> factorized(const Polynomial& p) {
 }
 
 const Forms::Factors& Forms::factors(const Sum& sum) {
-  const auto it = factored.find(sum);
-  if (it != factored.end()) return it->second;
+  if (const auto it = factored.find(sum); it != factored.end()) return it->second;
   return factored.emplace(sum, factors_of(sum)).first->second;
 }
 Forms::Factors Forms::factors_of(const Sum& sum) {
@@ -139,8 +138,7 @@ void Forms::take_factor(Factors& into, Sum part, int times_taken) {
   if (part.size() > 1 && other != part) {
     // conj(f) = +-z^m f: f z^(m/2) is real, or imaginary
     for (const auto& [product, q] : other) {
-      const Exponent m =
-          exponent_in(product, circle()) - exponent_in(part.begin()->first, circle());
+      const auto m = exponent_in(product, circle()) - exponent_in(part.begin()->first, circle());
       for (int sign : {1, -1}) {
         Product turn;
         multiply(turn, circle(), m);

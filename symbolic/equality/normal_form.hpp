@@ -44,8 +44,7 @@ inline bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(
 bool is_arcus(Expr e);
 void multiply(Product& into, Expr atom, const Exponent& exponent);
 /// What cannot be computed is not proved.
-template <class Question>
-bool is_proved(const Question& question) {
+bool is_proved(const auto& question) {
   try {
     return question();
   } catch (const std::runtime_error&) {

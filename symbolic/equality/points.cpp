@@ -140,22 +140,18 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
     add([&](std::size_t j) { return (i * (2 * j + 3) + 5 * j) % values[j].size(); });
   return out;
 }
-std::optional<bool> holds(const notation::Comparison& c) {
+std::optional<bool> holds(const notation::Comparison& c) try {
   const Expr difference = c.left - c.right;
   if (!notation::symbols_of(difference).empty()) return {};
-  try {
-    const auto sign = exact_sign(difference);
-    if (!sign) return {};
-    if (*sign == 0) return c.relation.ends_with('=') && c.relation != "!=";
-    return c.relation == "!=" || c.relation[0] == (*sign < 0 ? '<' : '>');
-  } catch (const NotDefined&) {
-    return false;
-  }
+  const auto sign = exact_sign(difference);
+  if (!sign) return {};
+  if (*sign == 0) return c.relation.ends_with('=') && c.relation != "!=";
+  return c.relation == "!=" || c.relation[0] == (*sign < 0 ? '<' : '>');
+} catch (const NotDefined&) {
+  return false;
 }
 Expr at(const Point& point, Expr term) {
-  kernel::Substitution s;
-  for (const auto& [symbol, value] : point) s.emplace(symbol, Expr(value));
-  return kernel::substitute(term, s);
+  return kernel::substitute(term, {point.begin(), point.end()});
 }
 std::string text(const Point& point) {
   std::string out;
@@ -169,15 +165,13 @@ bool Value::is_known() const {
   const cln::cl_RA size = cln::max(cln::cl_RA(1), cln::abs(ball->low()));
   return ball->high() - ball->low() < size / cln::ash(cln::cl_I(1), 166);
 }
-Value value_at(const Point& point, Expr side, int bits) {
-  try {
-    const Ball ball = enclosure(at(point, side), bits);
-    if (has_accident(point, side, bits)) return {.why_none = "a real power of a negative number"};
-    return {.ball = ball};
-  } catch (const NotDefined& none) {
-    return {.why_none = none.what()};
-  } catch (const NotCertain&) {
-    return {};
-  }
+Value value_at(const Point& point, Expr side, int bits) try {
+  const Ball ball = enclosure(at(point, side), bits);
+  if (has_accident(point, side, bits)) return {.why_none = "a real power of a negative number"};
+  return {.ball = ball};
+} catch (const NotDefined& none) {
+  return {.why_none = none.what()};
+} catch (const NotCertain&) {
+  return {};
 }
 }  // namespace equality

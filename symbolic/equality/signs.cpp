@@ -13,8 +13,7 @@ int product(int a, int b) {
   return (a > 0) == (b > 0) ? size : -size;
 }
 /// The sum as one of different functions, each times a constant.
-template <class ConstantPart>
-std::map<Product, Sum> coefficients(const Sum& sum, const ConstantPart& constant_part) {
+std::map<Product, Sum> coefficients(const Sum& sum, const auto& constant_part) {
   std::map<Product, Sum> out;
   for (const auto& [product, q] : sum) {
     Product function = product, constant;
@@ -52,12 +51,11 @@ Sum Forms::expanded(Sum sum, Product* divisor) {
       multiply(rest, newest, exponent(-cln::cl_RA(k)));
       by_power[k - least][rest] = q;
     }
-    const Sum base = composites.at(newest);
     Sum out;  // Horner's scheme from the highest power
     cln::cl_I at = by_power.rbegin()->first;
     if (at > highest_power) throw TooLarge("a power above 3000 to be multiplied out");
     for (; at >= 0; at = at - 1) {
-      out = times(out, base);
+      out = times(out, composites.at(newest));
       if (const auto it = by_power.find(at); it != by_power.end()) out = out + it->second;
     }
     sum = out;

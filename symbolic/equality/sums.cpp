@@ -122,8 +122,7 @@ void Forms::reduce_turns(Product& product, cln::cl_RA& number, const Exponent& e
   for (const auto& [monomial, q] : Exponent(e)) {
     kernel::Monomial others = monomial;  // pi times an integer?
     if (std::erase(others, std::pair(kernel::pi(), 1)) == 0) continue;
-    const auto is_integer = [&](const auto& part) { return is_integer_symbol(part.first); };
-    if (!std::ranges::all_of(others, is_integer)) continue;
+    if (!is_integer({{others, 1}})) continue;
     cln::cl_RA turns = 2 * cln::floor1(q / 2);
     if (monomial == kernel::Monomial{{kernel::pi(), 1}} && q - turns >= 1) {
       turns = turns + 1;

@@ -18,8 +18,8 @@ constexpr std::string_view allowed =
 // Printable, and short enough for a message.
 std::string shown(std::string_view text) {
   std::string out(text.substr(0, 40));
-  std::replace_if(
-      out.begin(), out.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  const auto is_odd = [](char c) { return c < ' ' || c > '~'; };
+  std::ranges::replace_if(out, is_odd, '?');
   return '"' + out + (text.size() > 40 ? "...\"" : "\"");
 }
 [[noreturn]] void refuse_value(std::string_view text) {

@@ -86,8 +86,7 @@ std::string why_no_symbol(const std::string& word, bool is_before_bracket,
   for (const auto& [function, definition] : definitions()) {
     if (!word.starts_with(function) || word == function) continue;
     const std::string rest = word.substr(function.size());
-    const std::string name =
-        rest.substr(std::min(rest.find_first_not_of("0123456789"), rest.size()));
+    const auto name = rest.substr(std::min(rest.find_first_not_of("0123456789"), rest.size()));
     if (name.empty() && is_before_bracket) return word + " is not read; allowed: " + function;
     if (name.size() <= 1 || is_greek_name(name))
       return word + ": is " + function + "(" + rest + ") meant?";
