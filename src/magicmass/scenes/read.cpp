@@ -44,7 +44,6 @@ std::string text_at(const Field& f, const std::string& allowed) {
   refuse_type(f, allowed);
 }
 
-/// Which of these words it is.
 std::size_t word_at(const Field& f, const std::vector<std::string>& words,
                     const std::string& before = "") {
   const std::string allowed = before + listed(words, "\""), text = text_at(f, allowed);
@@ -76,8 +75,7 @@ std::vector<Field> elements(const Field& f, std::string_view allowed) {
 
 std::vector<Value> values_at(const Field& f) {
   std::vector<Value> values;
-  for (const Field& element : elements(f, "an array of values"))
-    values.push_back(value_at(element));
+  for (const auto& element : elements(f, "an array of values")) values.push_back(value_at(element));
   return values;
 }
 
@@ -103,8 +101,7 @@ void read_alpha(const Field& f) { set_masses(f.scene, value_of(1), value_at(f));
 void read_mass_ratio(const Field& f) { set_masses(f.scene, value_at(f), value_of(1)); }
 
 void read_blocks(const Field& f) {
-  const auto blocks = static_cast<std::size_t>(whole_at(f, 1, most_blocks));
-  f.scene.masses.assign(2 * blocks - 1, value_of(1));
+  f.scene.masses.assign(2 * std::size_t(whole_at(f, 1, most_blocks)) - 1, value_of(1));
 }
 
 void read_walls(const Field& f) { f.scene.walls = sides[word_at(f, sides)]; }
@@ -118,8 +115,7 @@ void read_outputs(const Field& f) {
 
 void read_balls(const Field& f) {
   const std::size_t balls = f.scene.masses.size() / 2;
-  const std::vector<Value> masses =
-      f.node.is_array() ? values_at(f) : std::vector<Value>(balls, value_at(f));
+  const auto masses = f.node.is_array() ? values_at(f) : std::vector(balls, value_at(f));
   if (masses.size() != balls)
     refuse(f, "a list of " + std::to_string(masses.size()),
            "one value, or as many as there are gaps between blocks: " + std::to_string(balls));

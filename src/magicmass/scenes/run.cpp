@@ -1,5 +1,7 @@
 #include "magicmass/scenes/run.hpp"
 
+#include <numeric>
+
 #include "magicmass/exact/exact.hpp"
 
 namespace magicmass::scenes {
@@ -30,8 +32,7 @@ struct Lengths {
     return is_slow(event.v_left) || is_slow(event.v_right);
   }
   bool is_too_slow(const Collision<Surd>& event) {
-    const std::size_t bits =
-        std::max({event.time.bits(), event.v_left.bits(), event.v_right.bits()});
+    const auto bits = std::max({event.time.bits(), event.v_left.bits(), event.v_right.bits()});
     const auto length = static_cast<double>(bits);
     work += comparisons * (2000 + length * (1 + length / 2000));
     if (bits <= most_bits && work <= most) return false;
@@ -114,13 +115,10 @@ std::int64_t told(const Scene& collapse) {
 /// What a collapse comes to in exact numbers, but for its time and place: momentum is kept.
 Result exactly(const Scene& scene, Result result) {
   const auto line = line_of<Surd>(scene);
-  const std::size_t bodies = line.masses.size();
-  Surd mass = 0, momentum = 0;
-  for (std::size_t i = 0; i < bodies; ++i) {
-    mass = mass + line.masses[i];
-    momentum = momentum + line.masses[i] * line.velocities[i];
-  }
-  result.terminal.assign(bodies, bodies == 2 ? Surd(0) : momentum / mass);  // 2: a wall
+  const std::vector<Surd>&m = line.masses, &v = line.velocities;
+  const Surd mass = std::accumulate(m.begin(), m.end(), Surd(0));
+  const Surd momentum = std::inner_product(m.begin(), m.end(), v.begin(), Surd(0));
+  result.terminal.assign(m.size(), m.size() == 2 ? Surd(0) : momentum / mass);  // 2: a wall
   set_energies(scene, line, result);
   if (scene.wants("events") || scene.wants("trajectory"))
     result.known_until = motion<Surd>(scene, told(scene)).known_until;

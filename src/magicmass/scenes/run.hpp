@@ -15,8 +15,7 @@ struct Plan {
   std::string reason;
 };
 
-/// complete: no two approach any more. collapse: infinitely many collisions in a finite time, for
-/// certain. limited: neither is known.
+/// complete: no two approach any more. collapse: endless collisions in finite time. limited: else.
 enum class Status { complete, limited, collapse };
 
 std::string status_name(Status status);
@@ -46,9 +45,8 @@ using Row = simulator::Collision<Number>;
 using Sink = std::function<void(const Row&)>;
 
 /// By theorem where the scene is a Trio or a Cradle. Else it is stepped, in doubles, and again in
-/// exact numbers where a decision was closer than doubles can tell.
-/// Throws InvalidInput where exact numbers are asked for and the scene has none, Undecided where
-/// they become too long.
+/// exact numbers where a decision was closer than doubles can tell. Throws InvalidInput where the
+/// scene lacks exact numbers that are asked for, Undecided where they become too long.
 Result run(const Scene& scene);
 /// The same run once more, every so many of its collisions, in constant memory. A collapse ends
 /// where its doubles have the time of its end, in exact numbers, too.
@@ -82,8 +80,7 @@ std::string at_limit(std::int64_t limit);
 
 /// The run of a trio or a cradle, each number the nearest double; of few exact collisions only the
 /// plan, since there numbers may be just between doubles. Nothing for other scenes, and where a
-/// collision may be as late as `until`. Throws Undecided where a trio that nothing cuts off has
-/// more collisions than can be counted.
+/// collision may be as late as `until`. Throws Undecided for too many of a trio without limits.
 Found<Result> by_theorem(const Scene& scene, std::int64_t few = 64);
 /// Every so many of its collisions; of a collapse at least the first three, and more while doubles
 /// can tell their times apart; throws Undecided for more than 2^16 rows.

@@ -1,5 +1,4 @@
-// A scene: bodies on a line and what is asked of them, read from a file of TOML; its numbers, and
-// balls with as many bits as it takes.
+// A scene: bodies on a line and what is asked of them, read from TOML; its numbers, exact or balls.
 #pragma once
 
 #include <concepts>
@@ -68,11 +67,9 @@ Value value_of(const notation::Alpha& ratio);
 /// Throws Undecided for a ratio of the paper whose number is above 2^50.
 Ball ball_of(const Value& value);
 
-/// What is computed, with more and more bits until it is something. Throws Undecided, so many "bits
-/// would be needed" and `otherwise`, where many times the bits of `digits` decimal digits are too
-/// few.
-template <class Compute>
-auto with_bits(int digits, const Compute& compute, const std::string& otherwise = "") {
+/// What is computed, with ever more bits until it is something. Throws Undecided, so many "bits
+/// would be needed" and `otherwise`, above many times the bits of `digits` decimal digits.
+auto with_bits(int digits, const auto& compute, const std::string& otherwise = "") {
   const int wanted = 4 * digits;
   const int most = 8192 + 4 * wanted;  // a double near 2^-1074 with its count takes some 3,000
   for (int bits = 128 + wanted; bits <= most; bits *= 2) {
@@ -86,8 +83,7 @@ auto with_bits(int digits, const Compute& compute, const std::string& otherwise 
 }
 
 /// How many of the first `most` have what those after them do not have.
-template <class Has>
-std::int64_t count_of(std::int64_t most, const Has& has) {
+std::int64_t count_of(std::int64_t most, const auto& has) {
   std::int64_t count = 0, more = 1;
   const auto have = [&] { return more <= most - count && has(count + more - 1); };
   for (; have(); more *= 2) count += more;
@@ -130,7 +126,6 @@ struct Scene {
   std::map<std::string, std::int64_t> lines;  ///< of the keys that the file has
 
   bool wants(const std::string& output) const { return std::ranges::count(outputs, output) != 0; }
-  /// Whether the file has this key.
   bool has(const std::string& key) const { return lines.count(key) != 0; }
   /// Of collisions that are stepped, or that would never end.
   std::int64_t limit() const { return max_events.value_or(1'000'000); }
@@ -141,10 +136,8 @@ struct Scene {
 /// Reads a file of at most 8 MiB. What is no scene, or has no meaning, is refused: throws
 /// InvalidInput, `file:line: key: what; allowed: ...` on one line.
 Scene read_scene(const std::string& path);
-/// The same from text.
 Scene parse_scene(std::string_view text, const std::string& source);
 
-/// The bodies and walls that a mirror shows.
 Scene mirrored(const Scene& scene);
 
 /// A, C, B, where C is the ball; in a chain 1, 2, ..., of blocks and balls A_1, C_1, A_2, ...
@@ -154,8 +147,7 @@ std::string gap_name(const Scene& scene, std::size_t gap);
 
 /// Whether all values, be it times, are surds.
 bool has_exact_numbers(const Scene& scene);
-/// The bodies in doubles, or as Surd, where all are exact. Throws Undecided where a value does
-/// not fit a double.
+/// The bodies in doubles, or as Surd where all are exact. Throws Undecided if no double is near.
 template <class Scalar>
 simulator::Line<Scalar> line_of(const Scene& scene);
 

@@ -5,8 +5,7 @@ namespace magicmass::scenes {
 namespace {
 using Balls = std::function<std::vector<Ball>()>;
 
-/// The even one of two neighbouring doubles, where low and high are by far closer than these and on
-/// both sides of their middle.
+/// The even one of two doubles side by side, where low and high, by far closer, enclose the middle.
 std::optional<double> tie(const cln::cl_RA& low, const cln::cl_RA& high) {
   const auto below = nearest_double(low, low), above = nearest_double(high, high);
   if (!below || !above || std::nextafter(*below, *above) != *above) return {};
@@ -40,7 +39,6 @@ std::vector<double> certain(const Balls& balls) {
 double time_of(const Trios& trios, std::int64_t j) {
   return certain([&] { return std::vector{trios.collision(j).time}; })[0];
 }
-/// Whether collision j comes by this time.
 bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
   const auto exactly = [&](bool is_hard) -> std::optional<bool> {
     const auto at = trios.exact_time(j, is_hard);
@@ -55,7 +53,6 @@ bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
     }
   return *is_early;
 }
-/// How many of the first `most` come by this time.
 std::int64_t count_by(const Trios& trios, const Value& time, std::int64_t most) {
   return count_of(most, [&](std::int64_t j) { return is_by(trios, j, time); });
 }
@@ -80,8 +77,7 @@ Result after(const Scene& scene, const Trios& trios, std::optional<std::int64_t>
   const std::size_t bodies = trios.bodies(), last = trios.last();
   const std::vector<double> numbers = certain([&] {
     const Trio::Collision end = collisions ? Trio::Collision() : trios.collapse();
-    const std::vector<Ball> v =
-        collisions ? trios.velocities(*collisions) : std::vector(bodies, end.v_left);
+    const auto v = collisions ? trios.velocities(*collisions) : std::vector(bodies, end.v_left);
     std::vector<Ball> masses;
     std::map<std::string, Ball> known;  // a cradle has many of one ratio
     for (const Value& mass : scene.masses) {

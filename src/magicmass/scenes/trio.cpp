@@ -18,11 +18,9 @@ struct Unguarded : Ball {
   friend bool operator>=(const Unguarded&, const Unguarded&) { return true; }
 };
 /// A restitution form of the motion. Its guards are ranges of doubles' exponents, which balls do
-/// not have. What its theorems ask for is seen to elsewhere: masses above 0 and 0 < e <= 1 by
-/// simulator::fault(), the sign of q_e by who calls, no more collisions than there are by count(),
-/// and no divisor that may be 0 by Ball.
-template <class Form, class... More>
-auto value_of_form(const Form& form, const Trio::Shape& s, const More&... more) {
+/// not have. What its theorems ask for is seen to elsewhere: masses > 0 and 0 < e <= 1 by fault(),
+/// the sign of q_e by who calls, no more collisions than there are by count(), divisors by Ball.
+auto value_of_form(const auto& form, const Trio::Shape& s, const auto&... more) {
   return form(s.A, s.per_B, 1, s.e, more...);
 }
 [[noreturn]] void too_many() {
@@ -136,8 +134,7 @@ Trio::Shape Trio::shape() const {
   return s;
 }
 /// magic.counts, deficient.counts. After the 2 k of rest U_(2 k) = U_k^2 - U_(k-1)^2 is 0
-/// (chebyshev.double), so that of bodies that begin with W = -V the next two are side by side
-/// after k.
+/// (chebyshev.double): of bodies that begin with W = -V the next two are side by side after k.
 std::optional<std::int64_t> Trio::count_at_threshold() const {
   const auto& ratio = from_.masses[1].ratio;
   if (ratio && ratio->is_magic && from_.W_per_V == -1) return cln::cl_I_to_long(ratio->k);

@@ -1,7 +1,6 @@
 // The motions that theorems tell, counted, not stepped: of a ball between two blocks, or a block
-// and a wall, with any masses, restitution and start; and of Newton's cradle of the paper, where
-// equal blocks with balls of magic ratios between them are one trio after the other, to a wall and
-// back.
+// and a wall, with any masses, restitution and start; and of the paper's cradle of Newton, where
+// equal blocks with balls of magic ratios between them are trios in a row, to a wall and back.
 #pragma once
 
 #include <map>
@@ -22,11 +21,9 @@ public:
     Value d_A = value_of(0), d_B = value_of(1);      ///< how wide the gaps are
     Value place = value_of(1), drift = value_of(0);  ///< of B or the wall, and its velocity
   };
-  /// Nothing, and no reason, where A does not meet the ball first. Of three that meet at once the
-  /// faster comes first.
+  /// Nothing, and no reason, where A is not first to meet the ball; of three at once the faster is.
   static Found<Trio> of(const Start& start);
-  /// Nothing for other bodies, too, and where differences of places or ratios of velocities are not
-  /// known to be values.
+  /// Nothing, too, for other bodies, and where differences or ratios of its numbers are not known.
   static Found<Trio> of(const Scene& scene);
   /// Blocks of mass 1, a ball of mass alpha.
   static Trio equal_blocks(const Value& alpha, const Value& e);
@@ -70,8 +67,7 @@ public:
   /// Where all bodies are at a time, after so many collisions.
   std::vector<Ball> places(const Shape& s, const Ball& time, std::int64_t collisions) const;
 
-  /// Where and when infinitely many collisions come to an end; all go on from it at one velocity,
-  /// and it has no number or gap.
+  /// Where and when a collapse ends, without a number or gap; from then on all have one velocity.
   Collision collapse(const Shape& s) const;
   /// Whether they have come to it by this time.
   bool has_collapsed(const Value& time) const;
@@ -120,7 +116,6 @@ public:
   /// behind it before the ball before it rests.
   static Found<Trios> of(const Scene& scene);
 
-  /// The only one.
   const Trio* alone() const { return is_cradle_ ? nullptr : &pairs_[0].trio; }
   /// Whether they may go on for ever, and time with them: between two walls, or after B.
   bool is_endless() const { return !alone() || alone()->is_endless(); }

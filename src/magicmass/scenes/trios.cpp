@@ -121,8 +121,7 @@ const Trio::Shape& Trios::shape_of(const Pair& pair) const {
   return shapes_.at(key);
 }
 
-/// Where collision j is: on the way out or back, and which one of a pair. On the way back motion
-/// runs backwards.
+/// Where collision j is: on the way out, or back, where motion runs backwards; which one of a pair.
 struct Trios::Moment {
   bool is_back;         ///< or at the wall behind
   const Pair* pair;     ///< nothing for a wall

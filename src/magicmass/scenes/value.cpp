@@ -112,30 +112,28 @@ std::optional<Surd> quotient(const Value& x, const Value& y) {
   return is_it ? std::optional(turn) : std::nullopt;
 }
 
-Value read_value(std::string_view text) {
+Value read_value(std::string_view text) try {
   if (text.size() > longest_text)
     refuse(std::to_string(text.size()) + " characters, at most " + std::to_string(longest_text));
-  try {
-    if (text.starts_with("-magic:") || text.starts_with("-deficient:"))
-      return negative(read_value(text.substr(1)));
-    if (text.starts_with("magic:") || text.starts_with("deficient:")) {
-      Value value = value_of(notation::read_alpha(text));
-      if (value.ratio && value.ratio->k > cln::ash(1, 50))
-        refuse("k above 2^50, for which there are counts alone: magicmass count");
-      return value;
-    }
-    if (text.find_first_of(".eExX") != text.npos && text.find_first_of("()/*^") == text.npos) {
-      const auto value = notation::read_double(text);
-      if (!value) refuse("not a number");
-      if (std::isinf(*value)) refuse("it does not fit a double, write it as a fraction");
-      return {std::string(text), Surd(*value)};
-    }
-    return {std::string(text), checked(evaluate(notation::read(text)))};
-  } catch (const std::domain_error& error) {
-    refuse(error.what());
-  } catch (const kernel::Refused& refused) {
-    refuse(refused.what());
+  if (text.starts_with("-magic:") || text.starts_with("-deficient:"))
+    return negative(read_value(text.substr(1)));
+  if (text.starts_with("magic:") || text.starts_with("deficient:")) {
+    Value value = value_of(notation::read_alpha(text));
+    if (value.ratio && value.ratio->k > cln::ash(1, 50))
+      refuse("k above 2^50, for which there are counts alone: magicmass count");
+    return value;
   }
+  if (text.find_first_of(".eExX") != text.npos && text.find_first_of("()/*^") == text.npos) {
+    const auto value = notation::read_double(text);
+    if (!value) refuse("not a number");
+    if (std::isinf(*value)) refuse("it does not fit a double, write it as a fraction");
+    return {std::string(text), Surd(*value)};
+  }
+  return {std::string(text), checked(evaluate(notation::read(text)))};
+} catch (const std::domain_error& error) {
+  refuse(error.what());
+} catch (const kernel::Refused& refused) {
+  refuse(refused.what());
 }
 
 Value value_of(const notation::Alpha& ratio) {

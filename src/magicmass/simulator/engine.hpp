@@ -40,8 +40,7 @@ struct Due {
   }
 };
 
-/// Which gap closes first: a tournament, a binary heap whose leaves stay in place. A change costs
-/// O(log gaps) comparisons.
+/// Which gap closes first: a tournament in a heap whose leaves stay; a change costs O(log gaps).
 template <Field Scalar>
 class DueTimes {
 public:
@@ -111,8 +110,7 @@ public:
     const auto& due = due_[due_.first()];
     return due ? std::optional<Scalar>(due->time) : std::nullopt;
   }
-  /// Whether the next one, which must exist, comes by this time; counts a near tie where rounding
-  /// cannot tell.
+  /// Whether the next one, which must exist, comes by this time; counts a tie too near to tell.
   bool is_due_by(const Scalar& time) {
     const Scalar due = *next();
     if constexpr (rounds) {
@@ -135,8 +133,7 @@ public:
   void take_back() {
     for (auto met = before_.rbegin(); met != before_.rend(); ++met) all_[met->first] = met->second;
   }
-  /// Ends the motion at a time, or after the last collision: counts a near tie where something that
-  /// is left may in truth be due by then.
+  /// Ends the motion at a time, or after the last collision: counts a tie if more may be due then.
   void end([[maybe_unused]] const std::optional<Scalar>& at) {
     if constexpr (rounds) {
       const Scalar time = at.value_or(now_ + margin_.errors().time);
@@ -158,8 +155,7 @@ public:
   const Ties& ties() const { return ties_; }
   /// Of what was told so far, or before the first near decision.
   const Errors<Scalar>& errors() const { return ties_.near > 0 ? certain_ : margin_.errors(); }
-  /// Whether floating point holds no time at which two meet that approach. No next collision then
-  /// says nothing about the motion.
+  /// Whether two approach, but at no time of floating point: no next one then says nothing of them.
   bool has_lost() const {
     for (std::size_t gap = 0; gap + 1 < all_.size(); ++gap)
       if (closes(gap) && Scalar(0) < sides(gap).closing() && !due_[gap]) return true;
@@ -291,8 +287,7 @@ private:
     ties_.first_near = number_;
     certain_ = margin_.errors();
   }
-  /// Do the two approach, or is that only rounding? What was never met moves as it was told to,
-  /// and 0 is no rounded number.
+  /// Do they approach, or is that rounding? What was never met moves as it was told to, 0 is exact.
   void note_near_rest([[maybe_unused]] std::size_t gap) {
     if constexpr (rounds) {
       const auto may_be_off = [&](const MovingBody<Scalar>& body) {

@@ -25,7 +25,6 @@ struct Line {
   bool has_rounded_velocities = false;  ///< velocities are, too
 };
 
-/// What is wrong with a line.
 struct Fault {
   std::string key;  ///< the member
   std::string what;

@@ -61,7 +61,6 @@ public:
     }
   }
 
-  /// Something is at this place.
   void look_at(Scalar position) { size_ = std::max(size_, std::abs(position)); }
 
   /// A collision at this time; what is only swapped or turned round is not rounded.

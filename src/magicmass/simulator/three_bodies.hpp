@@ -39,20 +39,17 @@ private:
   Scalar e_;
 };
 
-/// The motion of block A, ball C and block B from left to right. In floating point errors add up
-/// from collision to collision, so a count near a threshold may be off by one: near_ties() then is
-/// not 0.
+/// The motion of block A, ball C and block B from left to right. In floating point errors add up,
+/// so that a count near a threshold may be off by one: near_ties() then is not 0.
 template <Field Scalar>
 class ThreeBodies {
 public:
   /// The paper's: at time 0, A moves with V = 1 and touches C; C rests at 0, B rests at L = 1; the
-  /// blocks have mass 1 and the ball alpha. Throws std::invalid_argument unless alpha > 0 (and, in
-  /// floating point, finite).
+  /// blocks have mass 1 and the ball alpha. Throws std::invalid_argument unless 0 < alpha, finite.
   explicit ThreeBodies(const Scalar& alpha)
       : engine_({{1, alpha, 1}, {0, 0, 1}, {1, 0, 0}, {}, {}}) {}
 
-  /// Goes on to just after the next collision, of A and C (gap 1) or of C and B (gap 2); returns
-  /// nothing where none comes.
+  /// On to just after the next collision, of A and C (gap 1) or C and B (gap 2), where one comes.
   std::optional<Collision<Scalar>> step() {
     return engine_.next() ? std::optional(engine_.step()) : std::nullopt;
   }
