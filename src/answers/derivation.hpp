@@ -10,7 +10,6 @@ namespace answers {
 /// The whole derivation, or the chapters, steps and labels that are named; "from": a step and what
 /// it rests on; "list": labels, theorems and formulas. Throws InvalidInput for an unknown name.
 Answer derive(const Request& request);
-/// The whole derivation, to be rendered.
 std::vector<render::Section> derivation_sections();
 
 /// Proves everything again: how many theorems are shown, how many failed, kernel steps.

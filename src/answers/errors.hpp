@@ -35,7 +35,6 @@ std::vector<std::string> texts_of(const auto& all, const auto& of) {
   for (const auto& one : all) texts.push_back(std::invoke(of, one));
   return texts;
 }
-/// The texts with ", " between them.
 std::string joined(const std::vector<std::string>& texts, std::string_view between = ", ");
 
 }  // namespace answers

@@ -47,7 +47,6 @@ Places places(const std::string& text, double start) {
   return all;
 }
 
-/// A row for each of them.
 Table table_of(const Names& columns, const auto& all, const auto& row_of) {
   Table table{columns, {}};
   for (const auto& one : all) table.rows.push_back(row_of(one));

@@ -12,7 +12,6 @@ using cln::cl_I;
 using cln::cl_RA;
 using namespace notation;
 
-/// The right side of a theorem's equation.
 Ball evaluated(const std::string& id, const std::map<kernel::Expr, Ball>& values) {
   return equality::enclosure(written_out(right_side(id)), values);
 }

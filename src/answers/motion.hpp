@@ -13,7 +13,6 @@ using magicmass::scenes::value_of;
 
 /// The mass ratio of a request. Throws InvalidInput.
 notation::Alpha alpha_of(const std::string& text);
-/// The nearest double.
 double nearest(const notation::Alpha& alpha);
 /// It; nothing for magic:k and deficient:k.
 std::optional<cln::cl_RA> fraction_of(const notation::Alpha& alpha);

@@ -8,7 +8,6 @@ namespace {
 
 using namespace notation;
 
-/// psi over pi.
 Answer angle(const Request& request) {
   const Alpha alpha = alpha_of(request.text("alpha"));
   const auto turns = [&] {
@@ -38,10 +37,9 @@ Answer extremum(const Request& request) {
     (rises == at->is_magic ? low : high) = rises == at->is_magic ? low + third : high - third;
   }
   const double place = std::round((low + high) / 2 * scale) / scale;
-  const double percent = std::round(1e5 * (place - elastic) / elastic) / 1e3;
   return {one_row({{"alpha", real_cell(place)},
                    {"elastic", real_cell(elastic)},
-                   {"shift", real_cell(percent)}})};
+                   {"shift", real_cell(std::round(1e5 * (place - elastic) / elastic) / 1e3)}})};
 }
 
 }  // namespace

@@ -21,8 +21,7 @@ struct Cell {
 
 /// As printf prints it: "%.4g".
 std::string formatted(const std::string& format, double value);
-/// Text in UTF-8: what others typed is shown_text() first. Also "p/q", "p" and certified digits,
-/// since no number of JSON would hold them.
+/// Text in UTF-8, what others typed after shown_text(); "p/q" and digits too long for JSON, too.
 Cell text_cell(std::string_view text);
 /// The shortest decimal that reads back as the same double; 0 for -0; missing where not finite.
 Cell real_cell(double value);
@@ -31,7 +30,6 @@ Cell whole_cell(const std::string& digits);
 Cell whole_cell(std::integral auto value) { return whole_cell(std::to_string(value)); }
 /// Several texts: "a; b" and ["a", "b"].
 Cell list_cell(const std::vector<std::string>& texts);
-/// Cells with names.
 using Fields = std::vector<std::pair<std::string, Cell>>;
 /// "A 0, C 0.5" and {"A": 0, "C": 0.5}
 Cell object_cell(const Fields& fields);
@@ -94,9 +92,7 @@ private:
   void append_row(std::string& text, const auto& append_field);
 };
 
-/// The whole table.
 std::string written(const Table& table, Format format);
-/// The columns of these names.
 Table selected(const Table& table, const Names& names);
 /// A heading above the table, in text or Markdown; nothing where that has no rows.
 std::string section(const std::string& heading, const Table& table, bool is_markdown);

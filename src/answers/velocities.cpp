@@ -36,8 +36,7 @@ struct Asked {
 
   /// Fractions that so many steps make longer by so many bits of the mass ratio and of `others`
   /// each, or rounded from short ones: these may be halfway between two. Else of balls, where these
-  /// can tell. Throws where fractions are wanted: InvalidInput where there are none, Undecided for
-  /// too long ones.
+  /// can tell. Where fractions are wanted, throws InvalidInput for none, Undecided for long ones.
   Row cells(const cln::cl_I& steps, const std::string& name, const auto& fractions,
             const std::function<Balls()>& balls, int longest = 1 << 22,
             std::size_t others = 0) const {
@@ -69,7 +68,6 @@ const Names of_terminal{"alpha", "N_A", "N_B", "a_t", "b_t", "c_t", "rho"};
 const Names with_restitution{"alpha", "restitution", "N_A", "N_B",          "a_t",
                              "b_t",   "c_t",         "rho", "collapse_time"};
 
-/// One row, the answer.
 Answer answer(Names columns, std::initializer_list<Row> parts) {
   return {{std::move(columns), {concatenated(parts)}, false}, ""};
 }
@@ -195,8 +193,8 @@ Row end_of(const Asked& in, const Alpha& restitution) {
   }
   if (in.wants_fractions)
     throw Undecided(
-        "terminal: infinitely many collisions end at a time that may be no fraction; add --digits "
-        "D");
+        "terminal: infinitely many collisions end at a time that may be no fraction; "
+        "add --digits D");
   return concatenated({Row(2, endless_cell()), rounded(balls, in.digits)});
 }
 
@@ -218,8 +216,10 @@ Block eval_block(const Rows& rows) {
   std::vector<Reals> v(4, Reals(alpha.size()));
   const magicmass::VelocityColumns columns{v[0], v[1], v[2], v[3]};
   const bool is_fast = rows.shared.text("tier") == "fast";
-  is_fast ? magicmass::fast::velocities(alpha, n, columns)
-          : magicmass::accurate::velocities(alpha, n, columns);
+  if (is_fast)
+    magicmass::fast::velocities(alpha, n, columns);
+  else
+    magicmass::accurate::velocities(alpha, n, columns);
   return {of_eval, {alpha, n, text_cell(is_fast ? "fast" : "accurate"), v[0], v[1], v[2], v[3]}};
 }
 
@@ -238,8 +238,10 @@ Block terminal_block(const Rows& rows) {
   Wholes N_A(alpha.size()), N_B(alpha.size());
   std::vector<Reals> v(4, Reals(alpha.size()));
   const magicmass::TerminalColumns columns{N_A, N_B, v[0], v[1], v[2], v[3]};
-  rows.shared.text("tier") == "fast" ? magicmass::fast::terminal(alpha, columns)
-                                     : magicmass::accurate::terminal(alpha, columns);
+  if (rows.shared.text("tier") == "fast")
+    magicmass::fast::terminal(alpha, columns);
+  else
+    magicmass::accurate::terminal(alpha, columns);
   return {of_terminal, {alpha, N_A, N_B, v[0], v[1], v[2], v[3]}};
 }
 

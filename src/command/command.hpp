@@ -50,7 +50,6 @@ struct Program {
   std::vector<Command> commands;
 };
 
-/// magicmass: its commands, one row each.
 Program magicmass();
 /// Answers the command line; returns the exit code.
 int run_program(const Program& program, const std::vector<std::string>& words);

@@ -15,8 +15,7 @@ coq::Files all_files() {
   std::vector<coq::Chapter> chapters;
   for (const derivation::Chapter& chapter : derivation::the_book().chapters()) {
     chapters.push_back({chapter.name, {}});
-    for (const derivation::Statement& s : chapter.statements)
-      chapters.back().shown.emplace_back(s.id, s.theorem);
+    for (const auto& s : chapter.statements) chapters.back().shown.emplace_back(s.id, s.theorem);
   }
   return coq::files(chapters);
 }

@@ -176,9 +176,8 @@ answers::Answer generate_files(const answers::Request& request) {
   if (stale.empty()) return {{}, folder + " is what the theorems give: " + files + "\n"};
   std::string said;
   for (const std::string& line : stale) said += folder + "/" + line + "\n";
-  const auto extra = std::count_if(stale.begin(), stale.end(), [](const std::string& line) {
-    return line.ends_with(": is not generated");
-  });
+  const auto is_extra = [](const auto& line) { return line.ends_with(": is not generated"); };
+  const auto extra = std::ranges::count_if(stale, is_extra);
   if (extra != 0) said += "remove what is not generated\n";
   if (extra != std::ssize(stale)) said += "run: magicmass generate --out " + folder + "\n";
   return {{}, said, true};

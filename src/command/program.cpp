@@ -14,21 +14,19 @@ using answers::InvalidInput;
 
 /// A message for whatever the action throws, after the place where it was.
 ExitCode guarded(const std::string& name, const std::string& place,
-                 const std::function<ExitCode()>& action) {
-  try {
-    return action();
-  } catch (const ClosedPipe&) {
-    return ExitCode::done;
-  } catch (const InvalidInput& error) {
-    return say(place + error.what(), ExitCode::bad_input);
-  } catch (const std::bad_alloc&) {
-    return say(name + ": does not fit into memory; a larger --memory-limit may do",
-               ExitCode::undecided);
-  } catch (const std::logic_error& error) {
-    return say(name + ": a bug: " + error.what(), ExitCode::undecided);
-  } catch (const std::exception& error) {
-    return say(place + error.what(), ExitCode::undecided);
-  }
+                 const std::function<ExitCode()>& action) try {
+  return action();
+} catch (const ClosedPipe&) {
+  return ExitCode::done;
+} catch (const InvalidInput& error) {
+  return say(place + error.what(), ExitCode::bad_input);
+} catch (const std::bad_alloc&) {
+  return say(name + ": does not fit into memory; a larger --memory-limit may do",
+             ExitCode::undecided);
+} catch (const std::logic_error& error) {
+  return say(name + ": a bug: " + error.what(), ExitCode::undecided);
+} catch (const std::exception& error) {
+  return say(place + error.what(), ExitCode::undecided);
 }
 
 /// Of rows of the input, written a block at a time.

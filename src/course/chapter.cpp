@@ -98,8 +98,7 @@ struct Expansion {
   }
   std::string with_pieces(std::string html) const {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-      const bool is_block = pieces[i].starts_with("\n");
-      const std::string stand_in = is_block ? "<p>" + mark(i) + "</p>" : mark(i);
+      const std::string stand_in = pieces[i].starts_with("\n") ? "<p>" + mark(i) + "</p>" : mark(i);
       const std::size_t at = html.find(stand_in);
       if (at == html.npos) throw InvalidInput(chapter.source + ": {{...}} in HTML is left out");
       html.replace(at, stand_in.size(), pieces[i]);

@@ -22,30 +22,27 @@ std::string description(const std::string& svg) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  try {
-    if (argc != 3) throw answers::InvalidInput("usage: magicmass_course TUTORIALS OUT");
-    const fs::path tutorials = argv[1], out = argv[2];
-    std::vector<Chapter> chapters;
-    for (const fs::path& folder : course::files_in(tutorials))
-      if (fs::exists(folder / "intro.md")) chapters.push_back(course::read_chapter(folder));
-    course::Surroundings around{answers::derivation_sections(), {}, {}};
-    for (const Chapter& c : chapters) around.chapters.emplace(c.name, title_of(c));
-    for (const fs::path& file : course::files_in(out / "figures"))
-      around.figures[file.stem()] = description(text_of(file));
-    std::vector<course::Page> pages;
-    for (const Chapter& c : chapters)
-      pages.push_back({c.name, title_of(c), chapter_html(c, around)});
-    const std::string welcome = course::html_of(text_of(tutorials / "course/index.md"));
-    for (const auto& [name, text] : files_of(pages, welcome, render::html_body(around.derivation)))
-      if (!(std::ofstream(out / name) << text << std::flush))
-        throw std::runtime_error("cannot write " + (out / name).string());
-    std::cout << "the course: " << (out / "index.html").string() << "\n";
-  } catch (const answers::InvalidInput& error) {
-    std::cerr << error.what() << "\n";
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "magicmass_course: " << error.what() << "\n";
-    return 1;
-  }
+int main(int argc, char** argv) try {
+  if (argc != 3) throw answers::InvalidInput("usage: magicmass_course TUTORIALS OUT");
+  const fs::path tutorials = argv[1], out = argv[2];
+  std::vector<Chapter> chapters;
+  for (const fs::path& folder : course::files_in(tutorials))
+    if (fs::exists(folder / "intro.md")) chapters.push_back(course::read_chapter(folder));
+  course::Surroundings around{answers::derivation_sections(), {}, {}};
+  for (const Chapter& c : chapters) around.chapters.emplace(c.name, title_of(c));
+  for (const fs::path& file : course::files_in(out / "figures"))
+    around.figures[file.stem()] = description(text_of(file));
+  std::vector<course::Page> pages;
+  for (const Chapter& c : chapters) pages.push_back({c.name, title_of(c), chapter_html(c, around)});
+  const std::string welcome = course::html_of(text_of(tutorials / "course/index.md"));
+  for (const auto& [name, text] : files_of(pages, welcome, render::html_body(around.derivation)))
+    if (!(std::ofstream(out / name) << text << std::flush))
+      throw std::runtime_error("cannot write " + (out / name).string());
+  std::cout << "the course: " << (out / "index.html").string() << "\n";
+} catch (const answers::InvalidInput& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
+} catch (const std::exception& error) {
+  std::cerr << "magicmass_course: " << error.what() << "\n";
+  return 1;
 }

@@ -5,12 +5,10 @@
 namespace course {
 namespace {
 
-std::string formula_or_words(const std::string& text) {
-  try {
-    return render::mathml(notation::read(text), false);
-  } catch (const kernel::Refused&) {
-    return html_text(text);
-  }
+std::string formula_or_words(const std::string& text) try {
+  return render::mathml(notation::read(text), false);
+} catch (const kernel::Refused&) {
+  return html_text(text);
 }
 
 std::string link(const std::string& to, const std::string& words, const std::string& more = "") {

@@ -133,22 +133,20 @@ const char* word(Mark mark) {
   return words[static_cast<std::size_t>(mark)];
 }
 
-Judgement judge(const Exercise& e, const std::string& typed, const Run& run) {
+Judgement judge(const Exercise& e, const std::string& typed, const Run& run) try {
   const std::string text = e.kind == "code" ? typed : plain(typed);
   if (text.empty()) return {Mark::unread, "The answer is empty."};
-  try {
-    Texts notes;
-    Judgement said = e.kind == "code"         ? judge_code(e, text, run)
-                     : e.kind == "derivation" ? judge_derivation(e, text, notes)
-                     : e.choices.empty()      ? judge_expression(e, text, notes)
-                                              : judge_choice(e, text);
-    said.notes = notes;
-    return said;
-  } catch (const kernel::Refused& r) {
-    const std::string why = answers::shown_text(r.what(), 300);
-    return {Mark::unread,
-            "Not understood: " + why + (why.ends_with('?') || why.ends_with('.') ? "" : ".")};
-  }
+  Texts notes;
+  Judgement said = e.kind == "code"         ? judge_code(e, text, run)
+                   : e.kind == "derivation" ? judge_derivation(e, text, notes)
+                   : e.choices.empty()      ? judge_expression(e, text, notes)
+                                            : judge_choice(e, text);
+  said.notes = notes;
+  return said;
+} catch (const kernel::Refused& r) {
+  const std::string why = answers::shown_text(r.what(), 300);
+  return {Mark::unread,
+          "Not understood: " + why + (why.ends_with('?') || why.ends_with('.') ? "" : ".")};
 }
 
 Judgement mistake(const Exercise& e,

@@ -17,8 +17,7 @@ void add(Truth& truth, const oracle::MassRatio& alpha, const auto& quantity) {
   const auto add_all = [](auto& to, const auto& more) {
     to.insert(to.end(), more.begin(), more.end());
   };
-  constexpr long bits = 120;
-  add_all(truth.values, oracle::certain(alpha, quantity, oracle::to_within(bits)));
+  add_all(truth.values, oracle::certain(alpha, quantity, oracle::to_within(120)));
   add_all(truth.rounded, oracle::certain(alpha, quantity, oracle::to_double()));
   add_all(truth.envelopes, oracle::envelopes(alpha, quantity));
 }
@@ -32,14 +31,12 @@ void note(Errors& errors, const Input& input, double ulp, bool is_wrong) {
 
 bool same_sign(double x, double y) { return (x > 0) == (y > 0) && (x < 0) == (y < 0); }
 
-bool takes(const Implementation& implementation, const Input& input) {
+bool takes(const Implementation& implementation, const Input& input) try {
   Columns one({&input, 1});
-  try {
-    implementation.run(one);
-  } catch (const std::domain_error&) {
-    return false;
-  }
+  implementation.run(one);
   return true;
+} catch (const std::domain_error&) {
+  return false;
 }
 
 /// The same rows for both, the inputs again and again until there are enough.

@@ -51,7 +51,6 @@ Measurement over_families(const std::vector<Measurement>& its) {
   return all;
 }
 
-/// What --quick asks for: fewer inputs and shorter measurements.
 Plan quick_plan() { return {.draws = 60, .rounds = {.shortest_ns = 1e5}}; }
 
 Table table_of(const std::vector<Measurement>& measurements) {
@@ -110,9 +109,8 @@ Table error_data() {
 
 std::string document_of(const std::vector<Measurement>& measurements, bool is_markdown) {
   const auto those = [&](Quantity quantity, std::string Measurement::*of, const std::string& name) {
-    std::vector<Measurement> some;
-    for (const Measurement& one : measurements)
-      if (one.quantity == quantity && one.*of == name) some.push_back(one);
+    std::vector<Measurement> some = measurements;
+    std::erase_if(some, [&](const auto& m) { return m.quantity != quantity || m.*of != name; });
     return some;
   };
   // The ratio, which is last, with how far rounds are from it.
