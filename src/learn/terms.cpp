@@ -178,12 +178,14 @@ std::string Terms::foreign(Expr term, const std::string& typed) const {
   if (other.empty()) other = notation::parted(name, symbols);
   replace_all(other, " ", "*");
   const bool is_near = name.size() > 3 && name != exercise.name;  // v_1 is not meant for M_1
+  const bool has_unit =  // (1 + alpha) m/s, but not 1/(1 + m)
+      symbols.empty() || !matched(typed, ".*[0-9A-Za-z)] [A-Za-z]+(/[A-Za-z]+)?").empty();
   const auto shown = [&](const std::string& one) { return quoted(typed, notation::symbol(one)); };
   if (symbols.empty() && name == exercise.name)
     return shown(name) + " is what is asked for: give its value";
   return answers::joined(answers::texts_of(names, shown)) + (names.size() == 1 ? " has" : " have") +
          " no place here: " + wanted +
-         (symbols.empty() && std::ranges::includes(units, names) ? ", without units" : "") +
+         (has_unit && std::ranges::includes(units, names) ? ", without units" : "") +
          (other.empty() ? meant(name, is_near ? exercise.symbols : Texts{})
                         : "; is " + other + " meant?");
 }

@@ -186,24 +186,26 @@ private:
   }
   bool is_proved_on(const Domain& part) {
     if (wanted == Wanted::Case) return false;
-    Domain known = narrowed(part, conditions(part));
-    for (const auto& [kind, term] : needs)
-      if (kind != Need::NotZero) known.further.push_back({term, ">=", 0});
-    for (const auto& [kind, term] : needs)  // x + sqrt(x^2 - 1) > 0 where x <= 0
-      if (kind == Need::Positive && is_certain({Need::NotNegative, -term}, known)) return true;
+    const Domain box = narrowed(part, conditions(part));
+    const auto never_holds = [&](const Requirement& r) {  // x + sqrt(x^2 - 1) > 0 where x <= 0
+      return r.kind == Need::Positive && is_certain({Need::NotNegative, -r.term}, box, needs);
+    };
+    if (std::ranges::any_of(needs, never_holds)) return true;
     return is_proved([&] {  // not where there is no point
       const Verdict found = decide(left, right, part, Wanted::Case);
       return found.answer == Answer::Equal && proved(found.proof);
     });
   }
-  /// A new symbol is an integer.
-  bool is_proved_where(Expr l, const std::string& relation, Expr r) {
+  /// A new symbol is an integer, or in another range.
+  bool is_proved_where(Expr l, const std::string& relation, Expr r,
+                       const Range& range = {.is_integer = true}) {
     Domain part = domain;
     part.further.push_back({l, relation, r});
-    for (Expr symbol : kernel::free_variables(r)) part.ranges[symbol] = {.is_integer = true};
+    for (Expr symbol : kernel::free_variables(r)) part.ranges.try_emplace(symbol, range);
     return is_proved_on(part);
   }
-  /// x >= 0 and x <= 0 where |x| or a root is, few integers, or an integer even and odd.
+  /// x >= 0 and x <= 0 where |x| or a root is, few integers, or an integer even and odd. Or with
+  /// a root as the unknown: sqrt(x + 2 sqrt(x - 1)) is sqrt(s^2 + 1 + 2 s).
   bool prove_by_cases() {
     const std::string before = verdict.proof;
     std::set<Expr> turns;
@@ -216,6 +218,15 @@ private:
         const std::string name = typed_text(e);
         return proved("cases: " + name + " >= 0 and " + name + " <= 0");
       }
+    const Expr root = kernel::real("value_of_root");  // which nobody can type
+    for (Expr e : parts_of(left - right)) {
+      if (!is_call(e, "sqrt")) continue;
+      for (Expr x : kernel::free_variables(e)) {
+        const auto value = zero_of(e.arg(0) - kernel::power(root, 2), x);
+        if (value && is_proved_where(x, "=", *value, {.low = End{0, true}}))
+          return proved("normal form, with " + typed_text(e) + " as the unknown");
+      }
+    }
     for (const auto& [x, r] : domain.ranges) {
       if (!r.is_integer) continue;
       const std::string name = typed_text(x);
@@ -299,8 +310,13 @@ private:
       note_gap(r.term);
       for (const auto& [side, other] : {std::pair("left", right), {"right", left}})
         if (verdict.notes.empty() && std::ranges::all_of(requirements(other, domain), is_sure))
-          verdict.notes = {std::string("the ") + side + " side alone needs " + text(r)};
+          verdict.notes = {std::string("the ") + side + " side alone " + shown_need(r)};
     }
+  }
+  std::string shown_need(const Requirement& r) const {
+    const std::string zero = near_zero(r.term, domain);
+    return zero.empty() ? "needs " + text(r)
+                        : "has no value at a zero of " + typed_text(r.term) + ", near " + zero;
   }
   /// Where a divisor is 0 at none of the points that were tried, as at x = sqrt(2) or y = 7/x.
   void note_gap(Expr divisor) {

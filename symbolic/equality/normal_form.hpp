@@ -87,6 +87,9 @@ std::optional<Expr> zero_of(Expr term, Expr x);
 std::array<Expr, 3> quadratic_in(Expr term, Expr x);
 /// And where it may be 0: quadratic in x, or with x in one function that has an inverse.
 Exprs zeros_of(Expr term, Expr x);
+/// "x = 1.32472", to six digits: where a term of x that has values all over the domain changes its
+/// sign; "" where that was not found.
+std::string near_zero(Expr term, const Domain& domain);
 /// What holds where it says so of several symbols, or of one and an irrational number.
 std::vector<Requirement> conditions(const Domain& domain);
 
@@ -169,11 +172,12 @@ private:
   int sign_of_powers(const Product& powers);
   using Rule = int(const Sum& sum);
   Rule sign_of, sign_of_composite, sign_of_number, sign_of_two, sign_of_trigonometric;
-  Rule sign_of_cosine, sign_of_quadratic, sign_by_terms, sign_by_shift;
+  Rule sign_of_cosine, sign_of_quadratic, sign_of_root, sign_by_terms, sign_by_shift;
 };
 
-/// Proved on the domain; false where that is not found out.
-bool is_certain(const Requirement& requirement, const Domain& domain);
+/// Proved on the domain, where what is known holds; false where that is not found out.
+bool is_certain(const Requirement& requirement, const Domain& domain,
+                std::vector<Requirement> known = {});
 /// The box made smaller by those requirements that bound one symbol: x >= 1 for sqrt(x - 1).
 Domain narrowed(Domain domain, const std::vector<Requirement>& needs);
 bool is_zero_constant(Expr constant);

@@ -3,7 +3,9 @@
 
 namespace equality {
 namespace {
-constexpr std::size_t most_tried = 60;    // for one point that satisfies the further conditions
+constexpr std::size_t most_tried = 60;     // for one point that satisfies the further conditions
+constexpr std::size_t points_around = 40;  // of a zero
+constexpr int most_halves = 60;
 constexpr std::size_t most_special = 24;  // values that the numbers of the terms suggest
 
 // The values of a range to try: the simplest first, or fractions first, and the special ones last.
@@ -139,6 +141,23 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
   for (std::size_t i = 0; inside && i < 2 * count; ++i)
     add([&](std::size_t j) { return (i * (2 * j + 3) + 5 * j) % values[j].size(); });
   return out;
+}
+std::string near_zero(Expr term, const Domain& domain) {
+  if (domain.ranges.size() != 1 || !domain.further.empty() || !requirements(term, domain).empty())
+    return {};
+  const Expr x = domain.ranges.begin()->first;
+  const auto sign = [&](const cln::cl_RA& q) { return exact_sign(at({{x, q}}, term)).value_or(0); };
+  std::map<cln::cl_RA, int> signs;
+  for (const Point& one : points(domain, points_around, {})) signs[one.at(x)] = sign(one.at(x));
+  for (auto next = signs.begin(), last = next++; next != signs.end(); last = next++) {
+    if (domain.ranges.at(x).is_integer || last->second * next->second >= 0) continue;
+    cln::cl_RA low = last->first, high = next->first;
+    for (int halves = 0; halves < most_halves; ++halves)
+      (sign((low + high) / 2) == last->second ? low : high) = (low + high) / 2;
+    if (const auto digits = balls::decimal(low, high, 6))
+      return notation::typed_text(x) + " = " + *digits;
+  }
+  return {};
 }
 std::optional<bool> holds(const notation::Comparison& c) try {
   const Expr difference = c.left - c.right;

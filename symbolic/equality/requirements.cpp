@@ -3,10 +3,12 @@
 
 namespace equality {
 
-bool is_certain(const Requirement& requirement, const Domain& domain) {
+bool is_certain(const Requirement& requirement, const Domain& domain,
+                std::vector<Requirement> known) {
   return is_proved([&] {
-    Forms forms(domain);
-    for (const auto& r : conditions(domain)) is_proved([&] { return forms.assume(r), true; });
+    Forms forms(narrowed(domain, known));
+    std::ranges::copy(conditions(domain), std::back_inserter(known));
+    for (const auto& r : known) is_proved([&] { return forms.assume(r), true; });
     return forms.holds(requirement);
   });
 }

@@ -157,9 +157,10 @@ int Forms::sign_of_composite(const Sum& sum) {
     return known->second.first;
   ++depth;
   int sign = 0;
-  for (Rule Forms::*rule : {&Forms::sign_by_terms, &Forms::sign_of_number,
-                            &Forms::sign_of_trigonometric, &Forms::sign_of_cosine,
-                            &Forms::sign_by_shift, &Forms::sign_of_two, &Forms::sign_of_quadratic})
+  for (Rule Forms::*rule :
+       {&Forms::sign_by_terms, &Forms::sign_of_number, &Forms::sign_of_trigonometric,
+        &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_root, &Forms::sign_of_two,
+        &Forms::sign_of_quadratic})
     if (sign == 0) sign = (this->*rule)(sum);
   --depth;
   signs[sum] = {sign, depth};
@@ -223,19 +224,23 @@ int Forms::sign_of_cosine(const Sum& sum) {
   }
   return 0;
 }
-// a + b for a root a and b of the other sign has the sign of a^d - b^d, d even, or the other one;
-// a - b for a and b from 0 on has that of log(a/b).
-int Forms::sign_of_two(const Sum& sum) {
+// a + b for a root a and b of the other sign has the sign of a^d - b^d, d even, or the other one.
+int Forms::sign_of_root(const Sum& sum) {
   for (const auto& [powers, q] : sum) {
-    cln::cl_I d = 1;
-    for (const auto& [atom, e] : powers) d = cln::lcm(d, cln::denominator(constant_part(e)));
+    cln::cl_I order = 1;
+    for (const auto& [atom, e] : powers)
+      order = cln::lcm(order, cln::denominator(constant_part(e)));
     const Sum root{{powers, q}};
-    const int side = d == 1 ? 0 : product(sign_of_powers(powers), q > 0 ? 2 : -2);
-    if (side == 0 || d > most_roots || side * sign_of(sum - root) >= 0) continue;
-    const int even = cln::cl_I_to_int(cln::lcm(d, 2));
-    const int sign = sign_of(integer_power(root, even) - integer_power(sum - root, even));
+    const int side = order == 1 ? 0 : product(sign_of_powers(powers), q > 0 ? 2 : -2);
+    if (side == 0 || order > most_roots || side * sign_of(sum - root) >= 0) continue;
+    const int d = cln::cl_I_to_int(cln::lcm(order, 2));
+    const int sign = sign_of(integer_power(root, d) - integer_power(sum - root, d));
     if (sign != 0) return side > 0 ? sign : -sign;
   }
+  return 0;
+}
+// a - b for a and b from 0 on has the sign of log(a/b).
+int Forms::sign_of_two(const Sum& sum) {
   if (sum.size() != 2) return 0;
   const auto& [first, q] = *sum.begin();
   const auto& [second, r] = *std::next(sum.begin());

@@ -18,8 +18,9 @@ Certificate certificate(const std::vector<std::string>& row) {
     if (use == "equation") out.equations.emplace_back(all.at(0), assume(all.at(1)));
     if (use == "square") out.products.push_back({all.at(0).value(), {}, {all.at(1)}});
     if (use != "product") continue;
-    Certificate::Product& product = out.products.emplace_back(all.at(0).value());
+    Certificate::Product product{all.at(0).value()};
     for (std::size_t i = 1; i < all.size(); ++i) product.factors.push_back(assume(all[i]));
+    out.products.push_back(product);
   }
   return out;
 }

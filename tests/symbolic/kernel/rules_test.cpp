@@ -78,7 +78,7 @@ TEST_CASE("definitions and domains depend on their parameters alone") {
     std::vector<Exprs> with;
     for (std::size_t k = 2; k < row.size(); ++k) with.push_back(listed(row[k]));
     INFO(row[4] << ", " << row[5] << ", " << row[6]);
-    const auto& [params, first] = std::tie(with[0], with[1]);
+    const Exprs &params = with[0], &first = with[1];
     const std::map<std::string, std::function<void()>> kinds{
         {"define", [&] { define("bad", params, first.at(0)); }},
         {"recursive", recursive(params, first.at(0), with[2], with[3], with[4])},
