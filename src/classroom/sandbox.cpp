@@ -52,7 +52,7 @@ std::string first_error(const End& compiled, const std::string& folder, const st
     const std::string expected = declared(driver);
     if (has("rror: ") ? line.starts_with("called.cpp")
                       : has("undefined reference") && expected.find(call) != expected.npos)
-      return "this is expected: " + answers::shown_text(expected, 200);
+      return "your file must define: " + answers::shown_text(expected, 200);
     if (has("multiple definition of `main'")) return "leave out main: the driver has one";
     learn::replace_all(line, folder + "/", "");
     return answers::shown_text(line, 200);

@@ -93,12 +93,19 @@ Cases cases_of(const Exercise& e, const Run& run) {
   return cases;
 }
 
-/// "At alpha = the double above 1/8, n = 3: "
+/// "At alpha = the double above 1/8, n = 3: "; a formula's value is no double.
 std::string place(const Exercise& e, std::size_t which) {
   Texts parts;
   for (std::size_t i = 0; i < e.inputs.size(); ++i) {
     const std::string& text = e.cases[which][i];
-    parts.push_back(e.inputs[i] + (matched(text, next_to).empty() ? " = " : " = the double ") +
+    const bool is_next = !matched(text, next_to).empty();
+    const auto q =
+        is_next ? std::nullopt : notation::rational_value(notation::read_typed(text).term);
+    const bool is_exact = q && balls::exact(cln::double_approx(*q)) == *q;
+    parts.push_back(e.inputs[i] +
+                    (is_exact  ? " = "
+                     : is_next ? " = the double "
+                               : " = the double nearest to ") +
                     text);
   }
   return "At " + answers::joined(parts) + ": ";

@@ -1,3 +1,5 @@
+#include <cctype>
+
 #include "equality/normal_form.hpp"
 #include "learn/terms.hpp"
 
@@ -70,7 +72,7 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
   const bool are_numbers = !kernel::is_matrix(given) && !kernel::is_matrix(expected);
   if (!is_prediction && are_numbers && terms.are_equal(given, -expected))
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
-  const Texts decimal = matched(text, R"([^.]*\.([0-9]{2,})[^0-9.]*)");
+  const Texts decimal = matched(text, R"(.*\.([0-9]{2,})[^.]*)");
   if (are_numbers && e.symbols.empty() && e.within.empty() && !decimal.empty()) {
     const Expr unit = cln::expt(cln::cl_RA(10), -int(decimal[1].size()));  // of the last digit
     if (equality::holds({notation::call("abs", given - expected), "<", unit}) == true)
@@ -109,15 +111,26 @@ char right_choice(const Exercise& e) {
   return letters[0];
 }
 
-Judgement judge_choice(const Exercise& e, std::string text) {
-  for (const std::string& choice : e.choices)  // in words, without the letter
-    if (text == choice) text = char('a' + (&choice - &e.choices[0]));
-  const std::size_t first = std::min(text.find_first_not_of("( "), text.size() - 1);
-  const std::size_t after = text.find_first_not_of(") .,:;", first + 1);  // (a), b., c
-  const char letter = char(text[first] | 0x20);
+/// Letters and digits alone, small ones.
+std::string bare(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::ispunct(c) || std::isspace(c); });
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+Judgement judge_choice(const Exercise& e, const std::string& text) {
+  const Texts part = matched(text, R"(\(? *([A-Za-z]) *(?:[).,:;] *(.*))?)");  // (a), b., c) words
+  const std::string words = bare(part.empty() ? text : part[2]);
+  const char said = part.empty() ? '?' : char(part[1][0] | 0x20);
+  char letter = words.empty() ? said : '?';
+  for (std::size_t i = 0; i < e.choices.size(); ++i) {
+    const std::string choice = bare(e.choices[i]);
+    const bool is_part = words.size() > 3 && choice.find(words) != choice.npos;
+    const char own = char('a' + i);
+    if (said == own ? words == choice || is_part : part.empty() && words == choice) letter = own;
+  }
   const char last = char('a' + e.choices.size() - 1);
-  if (letter < 'a' || letter > last ||
-      (after != text.npos && text.substr(after) != e.choices[std::size_t(letter - 'a')]))
+  if (letter < 'a' || letter > last)
     kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got " +
                    answers::shown_text(text));
   if (letter == right_choice(e)) return {Mark::right, happens};

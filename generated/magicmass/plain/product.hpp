@@ -45,16 +45,16 @@ VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n
 }
 template <class Number> struct TerminalProduct { Number N_A, N_B, a_t, b_t, c_t, rho; };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: alpha from 0x1p-100 to 0x1p+100. Theorems: rotation.psi, power.V_CM, counting.N_A,
-///   N_B, evaluators_end.rest, a_product, b_product, c_product, def_rho. Operations: arctangents:
-///   1, ceilings: 2, cosines: 2, products: 12, quotients: 7, roots: 1, sines: 3, sums: 8. Ceilings
-///   of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
+///   Domain: alpha from 0x1p-100 to 0x1p+48. Theorems: rotation.psi, power.V_CM, counting.N_A, N_B,
+///   evaluators_end.rest, a_product, b_product, c_product, def_rho. Operations: arctangents: 1,
+///   ceilings: 2, cosines: 2, products: 12, quotients: 7, roots: 1, sines: 3, sums: 8. Ceilings of
+///   rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 TerminalProduct<Number> terminal_product(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-100 : 0x1p-22) && alpha <= Number(sizeof(Number) >
-      4 ? 0x1p+100 : 0x1p+22)))
+      4 ? 0x1p+48 : 0x1p+22)))
     throw std::domain_error("terminal_product: allowed: "
-        "alpha from 0x1p-100 to 0x1p+100; floats within 0x1p+22");
+        "alpha from 0x1p-100 to 0x1p+48; floats within 0x1p+22");
   const Number t1 = Number(2) + alpha;  // for psi, V_CM
   const Number psi = Number(2) * atan(sqrt(alpha * t1));  // psi = 2*atan(sqrt(alpha*(2 + alpha)))
   const Number V_CM = Number(1) / t1;  // V_CM = 1*(1/(2 + alpha))

@@ -43,7 +43,7 @@ VelocitiesTangent<Number> velocities_tangent(const Number& alpha, std::int64_t n
 }
 template <class Number> struct TerminalTangent { Number N_A, N_B, a_t, b_t, c_t, rho; };
 /// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: alpha from 0x1p-100 to 0x1p+100. Theorems: evaluators.def_above, def_w, def_t,
+///   Domain: alpha from 0x1p-100 to 0x1p+48. Theorems: evaluators.def_above, def_w, def_t,
 ///   def_half_h, evaluators_end.def_h, N_A, N_B, def_rest, def_rest_sine, def_rest_cosine,
 ///   def_t_cosine, def_w_cosine, def_t_plus, def_t_minus, def_w_plus, def_b_form, terminal,
 ///   def_rho. Operations: arctangents: 1, ceilings: 2, cosines: 1, products: 12, quotients: 4,
@@ -52,9 +52,9 @@ template <class Number> struct TerminalTangent { Number N_A, N_B, a_t, b_t, c_t,
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-100 : 0x1p-22) && alpha <= Number(sizeof(Number) >
-      4 ? 0x1p+100 : 0x1p+22)))
+      4 ? 0x1p+48 : 0x1p+22)))
     throw std::domain_error("terminal_tangent: allowed: "
-        "alpha from 0x1p-100 to 0x1p+100; floats within 0x1p+22");
+        "alpha from 0x1p-100 to 0x1p+48; floats within 0x1p+22");
   const Number above = Number(2) + alpha;  // above = 2 + alpha
   const Number w = Number(1) / sqrt(alpha * above);  // w = 1/sqrt(alpha*above)
   const Number t = alpha * w;  // t = alpha*w

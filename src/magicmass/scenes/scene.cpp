@@ -56,7 +56,12 @@ simulator::Line<Scalar> line_of(const Scene& scene) {
                                all(scene.velocities),  wall(scene.left_wall),
                                wall(scene.right_wall), number_of<Scalar>(scene.restitution)};
   line.is_rounded = is_rounded;
-  line.has_rounded_velocities = std::ranges::any_of(scene.velocities, rounds);
+  const auto differs = [&](const Value& v) {  // what is the same number stays so
+    const auto d = difference(v, scene.velocities[0]);
+    return !d || !d->is(0);
+  };
+  line.has_rounded_velocities = std::ranges::any_of(scene.velocities, rounds) &&
+                                std::ranges::any_of(scene.velocities, differs);
   return line;
 }
 template simulator::Line<double> line_of(const Scene&);

@@ -22,7 +22,7 @@ struct Line {
   std::optional<Scalar> right_wall;     ///< its place
   Scalar restitution{1};                ///< e of every collision, walls' too: 0 < e <= 1
   bool is_rounded = false;              ///< numbers are only the nearest to what they stand for
-  bool has_rounded_velocities = false;  ///< velocities are, too
+  bool has_rounded_velocities = false;  ///< velocities are, too, and differ
 };
 
 struct Fault {

@@ -2,6 +2,7 @@
 // How far a motion in floating point may be from the exact one, while each decision was the same.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -41,6 +42,8 @@ struct Errors {
 template <Field Scalar>
 class RoundingMargin {
   static Scalar eps() { return std::numeric_limits<Scalar>::epsilon(); }
+  /// More than what is lost below the normal numbers, as of sqrt(m) u for a tiny mass.
+  static Scalar least() { return std::numeric_limits<Scalar>::min(); }
 
 public:
   /// Exact numbers have none, and ask for none.
@@ -55,8 +58,9 @@ public:
         look_at(line.positions[i]);
       }
       for (const auto& wall : {line.left_wall, line.right_wall}) look_at(wall.value_or(0));
-      positions_ = line.is_rounded ? eps() * size_ * root_mass : 0;
-      velocities_ = line.is_rounded ? eps() * speeds : 0;
+      positions_ = line.is_rounded ? eps() * size_ * root_mass + least() : 0;
+      const bool moves = std::ranges::any_of(line.velocities, [](Scalar u) { return u != 0; });
+      velocities_ = line.is_rounded && moves ? eps() * speeds + least() : 0;
       worst_.velocity = velocities_ / lightest_;
     }
   }
@@ -71,12 +75,12 @@ public:
     const Scalar slowest = before.closing() - velocities_ * before.spread();
     const Scalar off = slowest > 0 ? error(before, positions_, size_, time) / slowest
                                    : std::numeric_limits<Scalar>::infinity();
-    positions_ += eps() * (13 * size_ * (r1 + r2) + time * s);
+    positions_ += eps() * (13 * size_ * (r1 + r2) + time * s) + least();
     last_ = time;
     const Scalar place = (positions_ + (velocities_ + s) * off) / std::max(r1, r2);
     worst_.time = std::max(worst_.time, off);
     worst_.position = std::max(worst_.position, place + eps() * size_);
-    if (rounds) velocities_ += 10 * eps() * s;
+    if (rounds) velocities_ += 10 * eps() * s + least();
     worst_.velocity = velocities_ / lightest_;
   }
   /// Of all collisions so far.

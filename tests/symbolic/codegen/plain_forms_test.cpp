@@ -103,8 +103,9 @@ TEMPLATE_TEST_CASE("plain forms hold at the ends that they state", "", double, l
   check_domain(least, most, [](auto x) { return velocities_product(x, 1); });
   check_domain(least, most, [](auto x) { return velocities_tangent(x, 1); });
   check_domain(end<TestType>(0x1p-40, 0x1p-16), high, [](auto x) { return terminal_closed(x); });
-  const auto least_end = end<TestType>(0x1p-100, 0x1p-22),
-             most_end = end<TestType>(0x1p100, 0x1p22);
+  const auto least_end = end<TestType>(0x1p-100, 0x1p-22), most_end = end<TestType>(0x1p48, 0x1p22);
+  for (const auto& heavy : {terminal_product(most_end).N_B, terminal_tangent(most_end).N_B})
+    CHECK(heavy == 1);
   check_domain(least_end, most_end, [](auto x) { return terminal_product(x); });
   check_domain(least_end, most_end, [](auto x) { return terminal_tangent(x); });
   check_domain(low, end<TestType>(0x1p300, 0x1p16), [](auto x) { return angle_closed(x); });

@@ -228,6 +228,7 @@ TEST_CASE("plans, their reasons, and how many collisions, as in a mirror", "[exa
     CHECK(image.plan.reason == result.plan.reason);
     CHECK(result.plan.model == row[1]);
     CHECK(std::to_string(result.events) == row[2]);
+    CHECK_FALSE(result.is_undecided);
     CHECK_THAT(result.plan.reason, Catch::Matchers::StartsWith(row[3]));
   }
 }
