@@ -143,7 +143,7 @@ Alpha restitution_of(const Request& request) {
                      shown_text(text));
 }
 
-/// Nothing where collisions end, or all but do.
+/// Nothing where collisions end, or so nearly that no precision tells the time.
 std::optional<magicmass::Collapse> collapse_of(double alpha, double e) {
   try {
     return magicmass::accurate::collapse(alpha, e);

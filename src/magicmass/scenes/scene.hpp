@@ -147,7 +147,7 @@ std::string gap_name(const Scene& scene, std::size_t gap);
 
 /// Whether all values, be it times, are surds.
 bool has_exact_numbers(const Scene& scene);
-/// The bodies in doubles, or as Surd where all are exact. Throws Undecided if no double is near.
+/// The bodies in doubles, or as Surd where all are exact. Throws Undecided if one fits no double.
 template <class Scalar>
 simulator::Line<Scalar> line_of(const Scene& scene);
 
