@@ -1,13 +1,15 @@
 #!/usr/bin/env bash
 # The tests of the arithmetic on another processor, and the pinned fingerprint of the arrays, under
-# qemu. Needs g++-aarch64-linux-gnu and qemu-user (setup --all) and Catch2 2, which is headers alone.
+# qemu. Needs g++-aarch64-linux-gnu and qemu-user (setup --all) and Catch2 2, which is headers
+# alone.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 ln -s /usr/include/catch2 "$scratch/catch2"
 compile() {
-  aarch64-linux-gnu-g++ -std=c++20 -O2 -ffp-contract=off -I. -I../src -I../generated -isystem "$scratch" "$@"
+  aarch64-linux-gnu-g++ -std=c++20 -O2 -ffp-contract=off \
+    -I. -I../src -I../generated -isystem "$scratch" "$@"
 }
 for file in src/magicmass/arithmetic/*.cpp catch_main.cpp; do
   compile -c "$file" -o "$scratch/$(basename "$file").o"

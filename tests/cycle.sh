@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# How long one edit takes to its own tests' verdict, in a build that is up to date: cycle.sh [BUILD]. Prints three times.
+# How long one edit takes to its own tests' verdict, in a build that is up to date: cycle.sh
+# [BUILD]. Prints three times.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=${1:-build/default}

@@ -1,6 +1,6 @@
 (* SPDX-License-Identifier: GPL-2.0-or-later *)
-(* What the emitted lemmas rest on: integers, induction, least integers, recursion, matrices as lists,
-   certificates; and the axioms of the kernel, proved from Coq's real numbers. *)
+(* What the emitted lemmas rest on: integers, induction, least integers, recursion, matrices as
+   lists, certificates; and the axioms of the kernel, proved from Coq's real numbers. *)
 Require Export Reals Lra Lia Psatz ZArith Classical ClassicalEpsilon List.
 Export ListNotations.
 Open Scope R_scope.
@@ -59,13 +59,15 @@ Proof.
   apply le_IZR in L. revert z L Q.
   apply (Zlt_lower_bound_ind (fun z => P (IZR z) -> exists N, is_least (IZR a) P N) a).
   intros z IH L Q.
-  destruct (classic (exists y, (a <= y < z)%Z /\ P (IZR y))) as [[y [Y Py]]|F]; [exact (IH y Y Py)|].
+  destruct (classic (exists y, (a <= y < z)%Z /\ P (IZR y))) as [[y [Y Py]]|F];
+    [exact (IH y Y Py)|].
   exists (IZR z). split; [apply int_num|]. intros _.
   split; [now apply IZR_le|]. split; [exact Q|].
   intros w [y ->] Ly Py. apply IZR_le. apply le_IZR in Ly.
   destruct (Z_lt_le_dec y z); [|lia]. exfalso. apply F. exists y. split; [lia|exact Py].
 Qed.
-Lemma int_least lo P : isint lo -> isint (least lo P). Proof. intro I. now apply least_is_least. Qed.
+Lemma int_least lo P : isint lo -> isint (least lo P).
+Proof. intro I. now apply least_is_least. Qed.
 Lemma least_def lo P n : isint lo -> isint n -> lo <= n /\ P n ->
   lo <= least lo P /\ P (least lo P) /\ least lo P <= n.
 Proof.
@@ -81,7 +83,8 @@ Definition table (r c : nat) (f : nat -> nat -> R) : list R :=
   flat_map (fun i => map (f i) (seq 0 c)) (seq 0 r).
 Definition mtimes (r m c : nat) (A B : list R) : list R :=
   table r c (fun i j => dot m (fun k => entry A (i * m + k) * entry B (k * c + j))).
-Definition mtranspose (r c : nat) (A : list R) : list R := table c r (fun i j => entry A (j * c + i)).
+Definition mtranspose (r c : nat) (A : list R) : list R :=
+  table c r (fun i j => entry A (j * c + i)).
 Definition munit (r : nat) : list R := table r r (fun i j => if Nat.eqb i j then 1 else 0).
 Fixpoint mpow (r : nat) (A : list R) (k : nat) : list R :=
   match k with O => munit r | S k' => mtimes r r r A (mpow r A k') end.
@@ -120,7 +123,9 @@ Lemma square x : 0 <= x * x. Proof. apply Rle_0_sqr. Qed.
 Lemma by_eq l r m s : m * (r - l) = s -> m <> 0 -> s = 0 -> l = r.
 Proof. intros E M ->. apply Rmult_integral in E. destruct E; [tauto|lra]. Qed.
 Lemma by_lt l r m s : m * (r - l) = s -> 0 < m -> 0 < s -> l < r.
-Proof. intros E M H. rewrite <- E in H. enough (0 < r - l) by lra. apply (Rmult_lt_reg_l m); lra. Qed.
+Proof.
+  intros E M H. rewrite <- E in H. enough (0 < r - l) by lra. apply (Rmult_lt_reg_l m); lra.
+Qed.
 Lemma by_le l r m s : m * (r - l) = s -> 0 < m -> 0 <= s -> l <= r.
 Proof.
   intros E M H. rewrite <- E in H. enough (0 <= r - l) by lra. apply (Rmult_le_reg_l m); lra.

@@ -8,7 +8,8 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cmake --install "$build" --prefix "$scratch/prefix" >/dev/null
 
-cmake -S "$examples" -B "$scratch/found" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_BUILD_TYPE=Release >/dev/null
+cmake -S "$examples" -B "$scratch/found" -DCMAKE_PREFIX_PATH="$scratch/prefix" \
+  -DCMAKE_BUILD_TYPE=Release >/dev/null
 cmake --build "$scratch/found" -j2 >/dev/null
 in_readme() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/{/^\`\`\`/d;p}" "$examples/../README.md"; }
 diff <(in_readme cpp) <(tail -n +3 "$examples/terminal.cpp")
@@ -19,11 +20,15 @@ diff <(in_readme text) <("$scratch/found/example_terminal")
 
 pc=$(dirname "$(find "$scratch/prefix" -name magicmass.pc)")
 # shellcheck disable=SC2046
-c++ "$examples/terminal.cpp" $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs magicmass) -o "$scratch/by_pkg_config"
+c++ "$examples/terminal.cpp" $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs magicmass) \
+  -o "$scratch/by_pkg_config"
 diff <(in_readme text) <("$scratch/by_pkg_config")
 
 "$scratch/prefix/bin/magicmass" generate --quantity b_t,rho >"$scratch/wanted.hpp"
-printf '#include "wanted.hpp"\nint main() { return magicmass::generated::terminal_tangent(0.12).b_t > 0.9956 ? 0 : 1; }\n' >"$scratch/wanted.cpp"
+cat >"$scratch/wanted.cpp" <<'END'
+#include "wanted.hpp"
+int main() { return magicmass::generated::terminal_tangent(0.12).b_t > 0.9956 ? 0 : 1; }
+END
 c++ -std=c++20 -Wall -Wextra -Werror "$scratch/wanted.cpp" -o "$scratch/wanted"
 "$scratch/wanted"
 sed -i 's/(0.12)/(1)/' "$scratch/wanted.cpp"

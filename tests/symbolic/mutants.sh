@@ -1,20 +1,25 @@
 #!/usr/bin/env bash
-# Bends each rule of a room of symbolic/ as its mutants.txt says, and drops each guard in turn: the tests must turn red.
-# usage: mutants.sh ROOM SECONDS SOURCE_DIR COMPILER OPTIMIZATION TEST_OBJECT_OR_LIBRARY...
+# Bends each rule of a room of symbolic/ as its mutants.txt says, and drops each guard in turn: the
+# tests must turn red. usage: mutants.sh ROOM SECONDS SOURCE_DIR COMPILER OPTIMIZATION
+# TEST_OBJECT_OR_LIBRARY...
 set -euo pipefail
-export room=$3/symbolic/$1 list=$3/tests/symbolic/$1/mutants.txt seconds=$2 source=$3 compiler=$4 optimization=$5
+export room=$3/symbolic/$1 list=$3/tests/symbolic/$1/mutants.txt
+export seconds=$2 source=$3 compiler=$4 optimization=$5
 shift 5
 export objects="$*"
 work=$(mktemp -d)
 export work
 trap 'rm -rf "$work"' EXIT
-printf '#include <string>\nnamespace kernel {\ninline void ignore(const std::string&) {}\n}\n' >"$work/ignore.hpp"
+printf '%s\n' '#include <string>' 'namespace kernel {' 'inline void ignore(const std::string&) {}' \
+  '}' >"$work/ignore.hpp"
 
-# Compiles FILE as changed in FOLDER, links it before the room's library, runs the tests: 0 if they stay green.
+# Compiles FILE as changed in FOLDER, links it before the room's library, runs the tests: 0 if they
+# stay green.
 survives() {
   local folder=$1 file=$2
-  "$compiler" -std=c++20 "$optimization" -w -ffp-contract=off -I"$source/symbolic" -include "$work/ignore.hpp" \
-    -c "$folder/$file" -o "$folder/mutant.o" 2>"$folder/errors" || { echo "DOES NOT COMPILE"; return 1; }
+  "$compiler" -std=c++20 "$optimization" -w -ffp-contract=off -I"$source/symbolic" \
+    -include "$work/ignore.hpp" -c "$folder/$file" -o "$folder/mutant.o" 2>"$folder/errors" ||
+    { echo "DOES NOT COMPILE"; return 1; }
   # shellcheck disable=SC2086
   "$compiler" "$folder/mutant.o" $objects -lginac -lcln -o "$folder/tests" 2>"$folder/errors" ||
     { echo "DOES NOT LINK"; return 1; }
@@ -36,7 +41,8 @@ try() {
 }
 export -f survives try
 
-# A mutant of each line of FILE with PATTERN, and not BUT, in it, unless the list has a reason why it is equivalent.
+# A mutant of each line of FILE with PATTERN, and not BUT, in it, unless the list has a reason why
+# it is equivalent.
 guards() {
   local file=${1##*/} number line
   grep -snE "$2" "$1" | grep -v "$3" | while IFS=: read -r number line; do
@@ -54,9 +60,12 @@ bends() {
 }
 {
   for path in "$room"/*.cpp; do guards "$path" 'refuse\(' 'void refuse' 's/refuse(/ignore(/'; done
-  for path in "$room"/*.cpp; do guards "$path" '^ *(check_[a-z_]*|sorts_of)\(.*\);$' '^$' 's/[a-z_]*(.*);/;/'; done
+  for path in "$room"/*.cpp; do
+    guards "$path" '^ *(check_[a-z_]*|sorts_of)\(.*\);$' '^$' 's/[a-z_]*(.*);/;/'
+  done
   # Of names, the reasons why one is none are guards, too.
-  guards "$room/names.cpp" 'return (read_as_index|name \+|it->second|"\\"")' 'could be read' 's/return .*;/;/'
+  guards "$room/names.cpp" 'return (read_as_index|name \+|it->second|"\\"")' 'could be read' \
+    's/return .*;/;/'
   bends
 } >"$work/mutants"
 count=$(($(tr -cd '\0' <"$work/mutants" | wc -c) / 3))

@@ -20,8 +20,11 @@ set label 'M' at -1,0.27 center
 set label 'M' at 1,0.27 center
 set label 'm = αM' at 0,0.27 center
 set label 'V' at -0.55,0.14 center
-plot $data every 2 using 2:(0):(0.16):(0.16) with boxxyerror lc rgb 'black' lw 2 fs solid 0.2 border, \
-     $data every ::1::1 using 2:(-0.09):(0.07) with circles lc rgb 'black' lw 2 fs solid 0.5 border, \
-     $data every ::0::0 using ($2+0.2):(0):(0.45*$3):(0) with vectors head filled size 0.07,20 lw 2.5 lc rgb 'black', \
+plot $data every 2 using 2:(0):(0.16):(0.16) with boxxyerror \
+         lc rgb 'black' lw 2 fs solid 0.2 border, \
+     $data every ::1::1 using 2:(-0.09):(0.07) with circles \
+         lc rgb 'black' lw 2 fs solid 0.5 border, \
+     $data every ::0::0 using ($2+0.2):(0):(0.45*$3):(0) with vectors \
+         head filled size 0.07,20 lw 2.5 lc rgb 'black', \
      $data every 2 using 2:(0):1 with labels center, \
      $data every ::1::1 using 2:(0.06):1 with labels center

@@ -38,9 +38,13 @@ plot cos(t),sin(t) with lines lw 1.6 lc rgb '#777777', \
      px(0,cos(t),sin(t)),front(0,cos(t),sin(t)) with lines lw 1 lc rgb '#bbbbbb', \
      px(cos(t),0,sin(t)),front(cos(t),0,sin(t)) with lines lw 1 lc rgb '#bbbbbb', \
      px(cos(t),sin(t),0),front(cos(t),sin(t),0) with lines lw 1 lc rgb '#bbbbbb', \
-     $data every ::126 using (px($3,$4,$5)):(py($3,$4,$5)) with lines lw 2 dt (2,3) lc rgb '#d55e00', \
+     $data every ::126 using (px($3,$4,$5)):(py($3,$4,$5)) with lines \
+         lw 2 dt (2,3) lc rgb '#d55e00', \
      $data every ::6::126 using (px($3,$4,$5)):(py($3,$4,$5)) with lines lw 2.5 lc rgb '#0072b2', \
      $data every ::0::5 using (px($3,$4,$5)):(py($3,$4,$5)) with points pt 7 ps 1 lc rgb 'black', \
-     $data every ::1::4 using (0.85*px($3,$4,$5)):(0.85*py($3,$4,$5)):(sprintf('V_%g', $2)) with labels center, \
-     $data every ::0::0 using (px($3,$4,$5)):(py($3,$4,$5)):('V_0') with labels left offset 0.8,0.7, \
-     $data every ::5::5 using (px($3,$4,$5)):(py($3,$4,$5)):('V_5') with labels right offset -0.6,0.7
+     $data every ::1::4 using (0.85*px($3,$4,$5)):(0.85*py($3,$4,$5)):(sprintf('V_%g', $2)) \
+         with labels center, \
+     $data every ::0::0 using (px($3,$4,$5)):(py($3,$4,$5)):('V_0') \
+         with labels left offset 0.8,0.7, \
+     $data every ::5::5 using (px($3,$4,$5)):(py($3,$4,$5)):('V_5') \
+         with labels right offset -0.6,0.7

@@ -24,7 +24,8 @@ three=$'1\n2\n3'
 
 fresh
 "$program" many --lines 3 -o new
-check "a new file, with the mode of the umask" test "$(stat -c %a new)" = "$(printf %o $((0666 & ~$(umask))))"
+check "a new file, with the mode of the umask" \
+  test "$(stat -c %a new)" = "$(printf %o $((0666 & ~$(umask))))"
 check "it is whole" holds new "$three"
 echo old >kept && chmod 640 kept
 "$program" many --lines 3 -o kept
@@ -71,7 +72,8 @@ if command -v perl >/dev/null; then
   unblocked='use Fcntl; fcntl(STDOUT, F_SETFL, O_NONBLOCK); exec @ARGV'
   perl -e "$unblocked" "$program" many --lines 100000 | (sleep 0.2 && tail -n 1) >last
   check "a pipe that does not block: all of it arrives" holds last 100000
-  (echo text; sleep 0.3; echo first) | perl -e "${unblocked//STDOUT/STDIN}" "$program" echo --input - --format csv >rows || true
+  (echo text; sleep 0.3; echo first) |
+    perl -e "${unblocked//STDOUT/STDIN}" "$program" echo --input - --format csv >rows || true
   check "and so it does from one" holds rows $'text,times\nfirst,'
 fi
 coproc "$program" echo --input - --format csv
@@ -155,12 +157,14 @@ LC_ALL=de_DE.UTF-8 TZ=Mars TMPDIR=/nowhere "$program" echo --text 0.5 --format j
 check "no environment, an odd one: the same bytes" cmp bare odd
 printf 'text,times\n"0,5",3\n' >decimal.csv
 for locale in C C.UTF-8 de_DE.UTF-8 tr_TR.ISO-8859-9; do
-  HOME=/nowhere LC_ALL=$locale LANG=$locale LC_CTYPE=$locale TERM=dumb NO_COLOR=1 "$program" echo --input decimal.csv
+  HOME=/nowhere LC_ALL=$locale LANG=$locale LC_CTYPE=$locale TERM=dumb NO_COLOR=1 \
+    "$program" echo --input decimal.csv
 done >each
 check "locales, installed or not: the same bytes" test "$(sort -u each | wc -l)" = 2
 if command -v script >/dev/null; then
   for terminal in xterm dumb; do
-    TERM=$terminal script -qec "$program wait --time-limit 3" $terminal.log >/dev/null </dev/null || true
+    TERM=$terminal script -qec "$program wait --time-limit 3" $terminal.log \
+      >/dev/null </dev/null || true
   done
   check "a terminal sees how long it has been" grep -q 'wait: 1 s of at most 3 s' xterm.log
   check "a dumb one does not" test "$(grep -c 'of at most' dumb.log)" = 0

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Replays sessions: sessions.sh [--update | --refusals] FOLDER NAME=PROGRAM... A session is FOLDER/sessions/*.txt, or
-# session.txt of a chapter of tutorials/, which is at hand: after each line "$ COMMAND" what it prints, stderr too, and
-# "[exit N]" where N is not 0. --update writes what is printed now. --refusals, instead: src/command/BOUNDS.md, what each step
-# beyond says; FOLDER/refusals.tsv, a command, a tab, a part of its message: one line on stderr, exit code 2, nothing on
-# stdout, no file.
+# Replays sessions: sessions.sh [--update | --refusals] FOLDER NAME=PROGRAM... A session is
+# FOLDER/sessions/*.txt, or session.txt of a chapter of tutorials/, which is at hand: after each
+# line "$ COMMAND" what it prints, stderr too, and "[exit N]" where N is not 0. --update writes what
+# is printed now. --refusals, instead: src/command/BOUNDS.md, what each step beyond says;
+# FOLDER/refusals.tsv, a command, a tab, a part of its message: one line on stderr, exit code 2,
+# nothing on stdout, no file.
 set -euo pipefail
 export LC_ALL=C
 only=
@@ -57,14 +58,17 @@ while IFS=$'\t' read -r command part; do
   [[ $command && $command != '#'* ]] || continue
   status=0
   bash -c "$command" </dev/null >"$scratch/output" 2>"$scratch/errors" || status=$?
-  if ((status != 2)) || [[ -s $scratch/output || $(wc -l <"$scratch/errors") != 1 || -n $(ls -A) ]] ||
+  if ((status != 2)) || [[ -s $scratch/output || -n $(ls -A) ]] ||
+    [[ $(wc -l <"$scratch/errors") != 1 ]] ||
     ! grep -qF -- "$part" "$scratch/errors"; then
-    printf 'refusals.tsv: %s: exit %s, %s\n' "$command" "$status" "$(cat "$scratch/output" "$scratch/errors")"
+    printf 'refusals.tsv: %s: exit %s, %s\n' "$command" "$status" \
+      "$(cat "$scratch/output" "$scratch/errors")"
     failed=1
   fi
 done <"$folder/refusals.tsv"
 
-# Rows of BOUNDS.md: the largest that is answered, seconds, MiB, a step beyond it, exit code, what it says.
+# Rows of BOUNDS.md: the largest that is answered, seconds, MiB, a step beyond it, exit code, what
+# it says.
 expect() { # command, exit code, what it says
   local said status=0
   rm -rf "$scratch/place" && mkdir "$scratch/place" && cd "$scratch/place"

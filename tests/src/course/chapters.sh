@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# chapters.sh TUTORIALS: each chapter begins with its title, its goal and a figure; TEACHERS.md names exercises and chapters
-# that exist. Then the same of copies in which one of these is spoilt: each is refused.
+# chapters.sh TUTORIALS: each chapter begins with its title, its goal and a figure; TEACHERS.md
+# names exercises and chapters that exist. Then the same of copies in which one of these is spoilt:
+# each is refused.
 # shellcheck disable=SC2016  # backquotes of Markdown
 set -euo pipefail
 export LC_ALL=C
@@ -8,10 +9,12 @@ export LC_ALL=C
 faults() { # folder
   local intro name
   for intro in "$1"/[0-9]*/intro.md; do
-    [[ $(grep -v '^$' "$intro" | head -n 3) == '# '*$'\n## Goal\n{{figure:'* ]] || echo "$intro: no title, goal and figure"
+    [[ $(grep -v '^$' "$intro" | head -n 3) == '# '*$'\n## Goal\n{{figure:'* ]] ||
+      echo "$intro: no title, goal and figure"
   done
   for name in $(grep -oE '`([a-z]|[0-9]{2}_)[A-Za-z_0-9]*`' "$1/TEACHERS.md" | tr -d '`'); do
-    compgen -G "$1/*/exercises/$name.toml" >/dev/null || [[ -d $1/$name ]] || echo "TEACHERS.md: $name is not there"
+    compgen -G "$1/*/exercises/$name.toml" >/dev/null || [[ -d $1/$name ]] ||
+      echo "TEACHERS.md: $name is not there"
   done
 }
 
