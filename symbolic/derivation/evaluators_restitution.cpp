@@ -148,6 +148,8 @@ void two_collisions(Book& book, Names& f) {
 /// Where collisions never end: when that is over, and what B has then.
 void collapse_forms(Book& book, Names f, const Theorem& all, const Theorem& rise) {
   const Known here;
+  Names of_x = f;
+  of_x.params.push_back(x);
   const Theorem taken = f.name("taken_any", 1 / left(all), "Where collisions never end, with");
   const Theorem v_any = at(book["any_start.def_v_any"], {{M_A, 1}, {W, 0}});
   const Theorem v = book.show("v_any", "all go on after them with the velocity",
@@ -172,6 +174,10 @@ void collapse_forms(Book& book, Names f, const Theorem& all, const Theorem& rise
   book.show("t_end", "they come as close as you like to the time",
             equation(left(t_end), 2 * (1 + M_C) / (1 + e + S) * (L / V),
                      Theorems{t_end, at_1(book["collapse.y_e"]), root} + shares));
+  const Theorem closing = of_x.name(
+      "closing_e", e * (1 + w_B * M_C) * power(x, 2) - (1 + e) * x + (1 + M_C), "in L/V a zero of");
+  const Theorem at_end = at(closing, {{x, 2 * (1 + M_C) / (1 + e + S)}});
+  book.show("closing", "as", equation(left(at_end), 0, Theorems{at_end} + shares));
 }
 }  // namespace
 

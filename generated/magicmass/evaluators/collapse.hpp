@@ -5,51 +5,54 @@
 #include "magicmass/evaluators/polynomials.hpp"
 
 namespace magicmass::generated::inline MAGICMASS_TARGET {
-struct CollapseInputs { double M_C, e; };
+struct CollapseInputs { double M_C, w_B, e; };
 struct CollapseOutputs { double t_end, v_any, rho_any; };
-/// collapse, general: M_C from 0x1p-100 to 0x1p+60, e from 0x1p-100 to 0x1.fffffffffffffp-1,
-///   filled_e between -0x1p+0 and 0x1p+0, room_e between 0x1p-30 and 0x1p+0. Theorems: t_end = 2*(1
-///   + M_C)/(1 + e + spread_e)*(1*inv(1)); v_any = 1*(1*taken_any); rho_any = 1*taken_any^2.
-///   Operations: products: 5, products by doubles: 2, quotients: 3, reciprocal roots: 1, sums: 3,
-///   sums of doubles: 3.
+/// collapse, general: M_C from 0x1p-100 to 0x1p+60, w_B 0 or from 0x1p-100 to 0x1p+60, e from
+///   0x1p-100 to 0x1.fffffffffffffp-1, filled_e between -0x1p+0 and 0x1p+0, room_e between 0x1p-30
+///   and 0x1p+0. Theorems: t_end = 2*(1 + M_C)/(1 + e + spread_e)*(1*inv(1)); v_any =
+///   1*(w_B*taken_any); rho_any = w_B*taken_any^2. Operations: products: 5, products by doubles: 5,
+///   quotients: 3, reciprocal roots: 1, sums: 3, sums of doubles: 3.
 template <class Tier, class N> struct CollapseGeneral {
   using T = typename N::Value;
-  T M_C, e;
+  T M_C, w_B, e;
   typename N::Result doubt{}, t_end, v_any, rho_any;
-  N filled_e, room_e, taken_any, t12, of_t_end, of_rho_any;
-  static constexpr double bounds[4][3] = {{0x1.b91p-68, 0x1.081p-101, 0x1.841p-100}, {0x1.b91p-68,
-      0x1.081p-101, 0x1.841p-100}, {0x1.b91p-68, 0x1.081p-101, 0x1.841p-100}, {0x1.201p+85,
-      0x1.001p+2, 0x1.001p+3}};
+  N filled_e, room_e, t13, of_t_end, of_v_any, of_rho_any;
+  static constexpr double bounds[4][3] = {{0x1.ef1p-68, 0x1.c01p-101, 0x1.341p-99}, {0x1.ef1p-68,
+      0x1.c01p-101, 0x1.341p-99}, {0x1.ef1p-68, 0x1.c01p-101, 0x1.341p-99}, {0x1.381p+85,
+      0x1.801p+2, 0x1.601p+3}};
   static constexpr const double* E = bounds[Tier::number];
   [[gnu::always_inline]] explicit CollapseGeneral(const CollapseInputs& in) : M_C(N::all(in.M_C)),
-      e(N::all(in.e)) {}
+      w_B(N::all(in.w_B)), e(N::all(in.e)) {}
   [[gnu::always_inline]] CollapseOutputs outputs() const { return {t_end, v_any, rho_any}; }
   [[gnu::always_inline]] void stage_1() {
     const N t1 = N::two_sum(N::all(0x1p+0), M_C);  // for all_e, t_end
-    const N all_e = N::exact(N::all(0x1p+0)) + t1;  // all_e = 1 + 1*(1 + M_C)
-    const N t2 = times(all_e, M_C);  // for rise_e
-    const T t3 = e * 0x1p+2;  // for rise_e
-    const N rise_e = times(t2, t3);  // rise_e = 4*e*(M_C*all_e)
-    const T t4 = e * -0x1p+0;  // for filled_e, spread_e
-    const N t5 = N::fast_two_sum(N::all(0x1p+0), t4);  // for filled_e, spread_e
-    const N t6 = quotient(N::all(0x1p+0), t5);  // for filled_e
-    const N t7 = t6 * t6;  // for filled_e
-    filled_e = rise_e * t7;  // filled_e = rise_e/(1 - e)^2
+    const N t2 = times(t1, w_B);  // for all_e
+    const N all_e = N::exact(N::all(0x1p+0)) + t2;  // all_e = 1 + w_B*(1 + M_C)
+    const N t3 = times(all_e, M_C);  // for rise_e
+    const T t4 = e * 0x1p+2;  // for rise_e
+    const N rise_e = times(t3, t4);  // rise_e = 4*e*(M_C*all_e)
+    const T t5 = e * -0x1p+0;  // for filled_e, spread_e
+    const N t6 = N::fast_two_sum(N::all(0x1p+0), t5);  // for filled_e, spread_e
+    const N t7 = quotient(N::all(0x1p+0), t6);  // for filled_e
+    const N t8 = t7 * t7;  // for filled_e
+    filled_e = rise_e * t8;  // filled_e = rise_e/(1 - e)^2
     room_e = cancelling_sum(N::exact(N::all(0x1p+0)), -filled_e);  // room_e = 1 - filled_e
-    const N t8 = reciprocal_root(room_e);  // for spread_e
-    const N t9 = room_e * t8;  // for spread_e
-    const N spread_e = t5 * t9;  // spread_e = (1 - e)*sqrt(room_e)
-    taken_any = quotient(N::all(0x1p+0), all_e);  // taken_any = 1/all_e
-    const N t10 = N::fast_two_sum(N::all(0x1p+0), e);  // for t_end
-    const N t11 = t10 + spread_e;  // for t_end
-    t12 = quotient(t1, t11);  // for t_end
-    of_t_end = scaled(t12, 0x1p+1);
-    of_rho_any = taken_any * taken_any;
+    const N t9 = reciprocal_root(room_e);  // for spread_e
+    const N t10 = room_e * t9;  // for spread_e
+    const N spread_e = t6 * t10;  // spread_e = (1 - e)*sqrt(room_e)
+    const N taken_any = quotient(N::all(0x1p+0), all_e);  // taken_any = 1/all_e
+    const N t11 = N::fast_two_sum(N::all(0x1p+0), e);  // for t_end
+    const N t12 = t11 + spread_e;  // for t_end
+    t13 = quotient(t1, t12);  // for t_end
+    of_t_end = scaled(t13, 0x1p+1);
+    of_v_any = times(taken_any, w_B);
+    const N t14 = taken_any * taken_any;  // for rho_any
+    of_rho_any = times(t14, w_B);
   }
   [[gnu::always_inline]] void stage_2() {}
   [[gnu::always_inline]] void stage_3() {
-    t_end = rounded_by<Tier>(of_t_end, size_of(t12) * E[0], doubt);
-    v_any = rounded_by<Tier>(taken_any, size_of(taken_any) * E[1], doubt);
+    t_end = rounded_by<Tier>(of_t_end, size_of(t13) * E[0], doubt);
+    v_any = rounded_by<Tier>(of_v_any, size_of(of_v_any) * E[1], doubt);
     rho_any = rounded_by<Tier>(of_rho_any, size_of(of_rho_any) * E[2], doubt);
     doubt = doubt + doubt_of_range(filled_e, -0x1p+0, 0x1p+0);
     doubt = doubt + doubt_of_range(room_e, (N::is_wide ? 0x1p-80 : 0x1p-30), 0x1p+0);
@@ -59,8 +62,10 @@ struct Collapse : Evaluator<CollapseInputs, CollapseOutputs> {
   template <bool is_wide, class F>
   [[gnu::always_inline]] static double visit(const Inputs& in, F f) {
     if (in.M_C >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.M_C <= (is_wide ?
-        0x1.fffffffffffffp+1023 : 0x1p+60) && in.e >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100)
-        && in.e <= 0x1.fffffffffffffp-1)
+        0x1.fffffffffffffp+1023 : 0x1p+60) && (in.w_B == 0 || in.w_B >= (is_wide ?
+        0x0.0000000000001p-1022 : 0x1p-100)) && in.w_B <= (is_wide ? 0x1.fffffffffffffp+1023 :
+        0x1p+60) && in.e >= (is_wide ? 0x0.0000000000001p-1022 : 0x1p-100) && in.e <=
+        0x1.fffffffffffffp-1)
       return f.template operator()<CollapseGeneral>();
     return 1.0;
   }

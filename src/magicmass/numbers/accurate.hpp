@@ -25,9 +25,12 @@ std::optional<Terminal> terminal(double alpha);
 /// t_j and s_j, units L/V and L, for any double alpha > 0 and j from 0 to N_A + N_B - 1 (j = 0: 0
 /// and 1), else throws InvalidInput.
 Collision collision(double alpha, std::int64_t j);
-/// Where collisions with restitution e, 0 < e <= 1, else InvalidInput, never end; nullopt: they do,
-/// which is decided exactly. Throws Undecided where 1 - 4 e alpha (2 + alpha)/(1 - e)^2, which is 0
-/// where collapse begins, is not below 0 and below 2^-80.
+/// Where collisions with restitution e, 0 < e <= 1, never end; nullopt: they do, which is decided
+/// exactly. A time above the largest double is infinite. InvalidInput unless m and w, those of
+/// `masses`, are finite, m positive and w not negative. Throws Undecided where 1 - 4 e m (1 + w +
+/// w m)/(1 - e)^2, which is 0 where collapse begins, is not below 0 and below 2^-80.
+std::optional<Collapse> collapse(const Masses& masses, double e);
+/// The same of equal blocks, m = alpha and w = 1.
 std::optional<Collapse> collapse(double alpha, double e);
 /// psi, the angle of one cycle, in radians, below pi.
 double angle(double alpha);

@@ -54,6 +54,9 @@ bool single(Result& result, In... in) {
 bool restitution(Terminal& result, const Masses& masses, double e) {
   return single<generated::Restitution, generated::Slow>(result, masses.ball, masses.per_B, e);
 }
+bool collapse(Collapse& result, const Masses& masses, double e) {
+  return single<generated::Collapse, generated::Accurate>(result, masses.ball, masses.per_B, e);
+}
 
 /// Full registers through the main case, a stage at a time for some of them; what is left over, one
 /// number at a time.
@@ -115,7 +118,7 @@ const Kernels table{lanes == 8   ? "avx512"
                     {single<generated::Terminal, Fast>, single<generated::Terminal, Accurate>,
                      single<generated::Terminal, Slow>, terminal_by_mpfr},
                     restitution,
-                    single<generated::Collapse, Accurate>,
+                    collapse,
                     single<generated::Counts, Fast>,
                     {single<generated::Collision, Fast>, single<generated::Collision, Accurate>,
                      single<generated::Collision, Slow>, collision_by_mpfr},

@@ -39,7 +39,7 @@ bool magic_by_mpfr(double& result, std::int64_t k);
 bool deficient_by_mpfr(double& result, std::int64_t k);
 /// Masses above 0, or per_B 0; 0 < e <= 1; within fast's promise. Whether they end; never end.
 bool restitution_by_mpfr(Terminal& result, Masses masses, double e);
-bool collapse_by_mpfr(Collapse& result, double alpha, double e);
+bool collapse_by_mpfr(Collapse& result, const Masses& masses, double e);
 
 /// Single numbers, and rows by tier (fast, accurate): how
 /// many of `size` are open, and which.
@@ -48,7 +48,7 @@ struct Kernels {
   Ladder<Velocities, double, std::int64_t> velocities;
   Ladder<Terminal, double> terminal;
   bool (*restitution)(Terminal& result, const Masses& masses, double e);
-  bool (*collapse)(Collapse& result, double alpha, double e);
+  bool (*collapse)(Collapse& result, const Masses& masses, double e);
   bool (*counts)(Counts& result, double alpha);
   Ladder<Collision, double, std::int64_t> collision;
   Ladder<double, double> angle;

@@ -64,7 +64,10 @@ Collision collision(Tier tier, double alpha, std::int64_t j) {
                        std::to_string(j));
   return certain(kernels().collision, tier + 1, alpha, j);
 }
-void check_restitution(double e) {
+void check(const Masses& masses, double e) {
+  check(masses.ball, "ball");
+  if (!(masses.per_B == 0.0 || is_mass_ratio(masses.per_B)))
+    throw InvalidInput("per_B must be finite and not negative, got " + text_of(masses.per_B));
   if (!(e > 0.0 && e <= 1.0))
     throw InvalidInput("e must be above 0 and at most 1, got " + text_of(e));
 }
@@ -128,11 +131,7 @@ std::optional<Terminal> fast::terminal(double alpha, double e) {
   return e == 1.0 ? terminal(alpha) : terminal(Masses{alpha}, e);
 }
 std::optional<Terminal> fast::terminal(const Masses& masses, double e) {
-  numbers::check(masses.ball, "ball");
-  if (!(masses.per_B == 0.0 || numbers::is_mass_ratio(masses.per_B)))
-    throw InvalidInput("per_B must be finite and not negative, got " +
-                       numbers::text_of(masses.per_B));
-  numbers::check_restitution(e);
+  numbers::check(masses, e);
   Terminal t;
   const bool ends =
       numbers::kernels().restitution(t, masses, e) || numbers::restitution_by_mpfr(t, masses, e);
@@ -140,9 +139,13 @@ std::optional<Terminal> fast::terminal(const Masses& masses, double e) {
 }
 std::optional<Collapse> accurate::collapse(double alpha, double e) {
   numbers::check(alpha);
-  numbers::check_restitution(e);
+  return collapse(Masses{alpha}, e);
+}
+std::optional<Collapse> accurate::collapse(const Masses& masses, double e) {
+  numbers::check(masses, e);
   Collapse c;
-  if (numbers::kernels().collapse(c, alpha, e) || numbers::collapse_by_mpfr(c, alpha, e)) return c;
+  if (numbers::kernels().collapse(c, masses, e) || numbers::collapse_by_mpfr(c, masses, e))
+    return c;
   return std::nullopt;
 }
 Collision accurate::collision(double alpha, std::int64_t j) {

@@ -58,6 +58,7 @@ public:
   }
 
   bool is_positive() const { return mpfr_sgn(v) > 0; }
+  bool is_zero() const { return mpfr_zero_p(v) != 0; }
   friend MpfrFloat operator-(const MpfrFloat& x) { return of(mpfr_neg, x.v); }
   friend MpfrFloat operator+(const MpfrFloat& x, const MpfrFloat& y) {
     return of(mpfr_add, x.v, y.v);

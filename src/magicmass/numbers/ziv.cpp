@@ -28,13 +28,14 @@
 //   r = 1, a >= 2: p^2 2 T_2 = Y^2 - 2 p^2 = 2 (2^(2m+1) - p^2) is +- a power of 2, and 2^(2m+1) -
 //   p^2 is odd, so 2^(2m+1) = p^2 +- 1: p^2 + 1 is 2 mod 8, and (p - 1)(p + 1) such a power for
 //   p = 3 alone: alpha = 1/2, where only j <= 2 take place.
-//  Collapse, e = a/2^p, a odd: (1 + alpha) (1 + e t^2) = (1 + e) t, and e t^2 <= 1, as t is the
-//   lesser root and 1/e the product of both. Were t = T 2^i, T > 1 odd: a T^2 <= 2^(p-2i), so M =
-//   2^(p-2i) + a T^2 is odd. It shares no factor with T, and (1 + alpha) M = (2^p + a) T/2^i, so
-//   r = (2^p + a)/M is whole, and odd. i <= 0: M is above 2^p + a. i > 0: 1 + alpha = r T/2^i is
-//   not whole; but with T of 54 bits, as between doubles, 1 + alpha > t/2 >= 2^53. v, rho: dyadic
-//   only where 2 + alpha is a power of 2, and doubles then.
+//  Collapse: t is a zero of a quadratic, which the middle of two doubles may be, too: it is tried.
+//   v = w/D and rho = w/D^2, D = 1 + w (1 + m). With w = o/2^q and D = N/2^r, o and N odd, they are
+//   dyadic only where N divides o, and have no more bits than o, 53: between doubles they are if
+//   subnormal. But o (1 + m)/2^q = N/2^r - 1 gives the lowest bit of 1 + m, and m has 53: for each
+//   sign of q and r that leaves w and m below 2^160, w above 2^-160, so v and rho above 2^-700.
 //  psi: cos(psi/2) = u is rational, so psi is transcendental (Lindemann).
+
+#include <bit>
 
 #include "magicmass/exact/exact.hpp"
 #include "magicmass/numbers/counts.hpp"
@@ -138,7 +139,7 @@ bool restitution_by_mpfr(Terminal& result, Masses masses, double e) {
     return true;
   }
   for (const MpfrFloat& tie : {two.four, two.six})
-    if (!tie.is_positive() && !(-tie).is_positive()) M_C = std::nextafter(M_C, 1.0 / 0.0);
+    if (tie.is_zero()) M_C = std::nextafter(M_C, 1.0 / 0.0);
   bool has_case = false;
   const auto attempt = [&]<template <class, class> class Case>() {
     Case<Ziv, MpfrFloat> k({M_C, w_B, e});
@@ -156,12 +157,22 @@ bool restitution_by_mpfr(Terminal& result, Masses masses, double e) {
   });
   return true;
 }
-bool collapse_by_mpfr(Collapse& result, double alpha, double e) {
+bool collapse_by_mpfr(Collapse& result, const Masses& masses, double e) {
   const AllExponents here;
   MpfrFloat::bits = last_bits;
-  const auto two = generated::two_collisions_exact<MpfrFloat>(alpha, 1.0, e);
-  return !two.ends.is_positive() &&
-         settle<generated::Collapse>(result, "collapse", false, alpha, e);
+  const double M_C = masses.ball, w_B = masses.per_B;
+  if (generated::two_collisions_exact<MpfrFloat>(M_C, w_B, e).ends.is_positive()) return false;
+  generated::CollapseOutputs near{};
+  attempt<generated::Collapse, MpfrFloat>({M_C, w_B, e}, near);
+  for (const double to : {0.0, DBL_MAX}) {
+    const double t = near.t_end, other = std::nextafter(t, to);
+    const MpfrFloat middle = scaled(MpfrFloat(t) + MpfrFloat(other), 0.5);
+    if (!generated::closing_exact<MpfrFloat>(M_C, w_B, e, middle).closing_e.is_zero()) continue;
+    settle<generated::Collapse>(result, "collapse", false, M_C, w_B, std::nextafter(e, 0.0));
+    result.t = std::bit_cast<std::uint64_t>(t) % 2 == 0 ? t : other;
+    return true;
+  }
+  return settle<generated::Collapse>(result, "collapse", false, M_C, w_B, e);
 }
 bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j) {
   return settle<generated::Collision>(result, "a collision", false, alpha, j);

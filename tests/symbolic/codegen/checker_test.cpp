@@ -93,9 +93,8 @@ Point<Tier> drawn(const codegen::Quantity& q, const codegen::Case& c, std::mt199
   const cl_RA part = codegen::exact(std::exp2((p.is_pair ? -30 : -80) * std::sqrt(number())));
   const cl_RA share = random() % 2 == 0 ? part : 1 - part;
   const double w = random() % 8 == 0 ? 0 : std::exp2(40 * number() - 20);  // 0: a wall
-  const cl_RA ball = q.name == "collapse"
-                         ? near_collapse(codegen::exact(e), 1, share / (share - 1))
-                         : near_collapse(codegen::exact(e), codegen::exact(w), share);
+  const cl_RA ball = near_collapse(codegen::exact(e), codegen::exact(w),
+                                   q.name == "collapse" ? share / (share - 1) : share);
   p.put(kernel::real("e"), codegen::exact(e));
   p.put(kernel::real("w_B"), codegen::exact(w));
   p.put(kernel::real("M_C"), p.is_pair ? codegen::exact(codegen::nearest(ball)) : ball);

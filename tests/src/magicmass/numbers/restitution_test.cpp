@@ -122,27 +122,44 @@ TEST_CASE("with restitution errors are at most 4 envelopes, and counts exact") {
   }
 }
 
+void check_collapse(const Masses& masses, double e, int& collapses) {
+  INFO("ball " << masses.ball << " per_B " << masses.per_B << " e " << e);
+  const cl_RA y = oracle::exact(e), ball = 1 + oracle::exact(masses.ball);
+  const cl_RA w = oracle::exact(masses.per_B), kept = 1 + w * (ball - 1), all = 1 + w * ball;
+  const std::optional<Collapse> got = accurate::collapse(masses, e);
+  REQUIRE(got.has_value() == (4 * y * ball * kept <= cln::square(1 + y)));
+  if (!got) return;
+  ++collapses;
+  CHECK(got->v == oracle::nearest(w / all));
+  CHECK(got->rho == oracle::nearest(w / (all * all)));
+  for (const double to : {0.0, 1e308}) {  // halfway; left of the lesser root, at it, or beyond it
+    const cl_RA t = (oracle::exact(got->t) + oracle::exact(std::nextafter(got->t, to))) / 2;
+    const cl_RA off = y * kept * t * t + ball - (1 + y) * t;
+    const bool is_even = std::bit_cast<std::uint64_t>(got->t) % 2 == 0;
+    const bool is_left =
+        2 * y * kept * t <= 1 + y && off >= 0 && !(off == 0 && is_even == (to > 0));
+    CHECK(is_left == (to == 0));
+  }
+}
+
 TEST_CASE("whether collisions never end is exact, and what they come to correctly rounded") {
   Random random(21);
   int collapses = 0;
   for (int i = 0; i < 6000; ++i) {
     const double part = std::exp2(-40 * uniform(random)), e = i % 3 == 0 ? 1 - part : part;
     const double square = (1 - e) * (1 - e) / (4 * e), by = std::exp2(-55 * uniform(random));
-    const double alpha = square / (1 + std::sqrt(1 + square)) * (i % 2 == 0 ? 1 + by : 1 - by);
-    INFO("alpha " << alpha << " e " << e);
-    const cl_RA y = oracle::exact(e), ball = 1 + oracle::exact(alpha), all = 1 + ball;
-    const std::optional<Collapse> got = accurate::collapse(alpha, e);
-    REQUIRE(got.has_value() == (4 * y * ball * ball <= cln::square(1 + y)));
-    if (!got) continue;
-    ++collapses;
-    CHECK(got->v == oracle::nearest(1 / all));
-    CHECK(got->rho == oracle::nearest(1 / (all * all)));
-    for (const double to : {0.0, 1e308}) {  // halfway; left of the lesser root, or beyond it
-      const cl_RA t = (oracle::exact(got->t) + oracle::exact(std::nextafter(got->t, to))) / 2;
-      CHECK((2 * y * ball * t > 1 + y || (y * t * t + 1) * ball < (1 + y) * t) == (to > 0));
-    }
+    const double w = std::array{1.0, 0.0, std::exp2(80 * uniform(random) - 40)}[std::size_t(i % 3)];
+    const double root = std::sqrt(std::pow((1 + w) / 2, 2) + w * square);
+    const double ball = square / ((1 + w) / 2 + root) * (i % 2 == 0 ? 1 + by : 1 - by);
+    check_collapse({ball, w}, e, collapses);
   }
   CHECK(collapses > 2500);
+  for (const double e : {0.5, 0.75}) {  // a wall, t halfway between 1 and the next double
+    const double t = 0x1p-53, ball = t * (1 - e - e * t);
+    check_collapse({ball, 0}, e, collapses);
+    CHECK(accurate::collapse({ball, 0}, e)->t == 1);
+    CHECK(accurate::collapse({std::nextafter(ball, 1), 0}, e)->t > 1);
+  }
   CHECK_THROWS_WITH(accurate::collapse(0.25, 0.25), ContainsSubstring("still open"));
 }
 
