@@ -19,7 +19,7 @@
 namespace course {
 
 using answers::InvalidInput;
-using render::html_text;
+using render::html_code, render::html_link, render::html_text;
 using Texts = std::map<std::string, std::string>;
 
 struct Chapter {
@@ -27,9 +27,9 @@ struct Chapter {
   std::string source;  ///< its text's file, as messages name it
   std::string text;    ///< "# Title", then the sections
   std::string program;
-  std::string printed;  ///< by the program, as read_printed() has it
-  std::string session;  ///< "$ magicmass ...", then its output, and so on
-  std::vector<learn::Exercise> exercises;
+  std::string printed;       ///< by the program, as read_printed() has it
+  std::string session = {};  ///< "$ magicmass ...", then its output, and so on
+  std::vector<learn::Exercise> exercises = {};
 };
 struct Surroundings {
   std::vector<render::Section> derivation;
@@ -59,11 +59,9 @@ std::string term_html(const std::string& text);
 std::string value_html(const std::string& text);
 /// A table where lines have cells, "a | b"; else the lines as they are.
 std::string block_html(const std::string& lines);
-std::string code_html(const std::string& text, const std::string& attributes = "");
 
 struct Page {
-  std::string name, title;
-  std::string body;  ///< HTML
+  std::string name, title, html;
 };
 /// By name of file: a page a chapter, the first page and, to be printed, all of it on one page;
 /// derivation.html shows the proofs. They ask no network for anything.

@@ -11,18 +11,13 @@ std::string formula_or_words(const std::string& text) try {
   return html_text(text);
 }
 
-std::string link(const std::string& to, const std::string& words, const std::string& more = "") {
-  return "<a href=\"" + to + "\"" + more + ">" + words + "</a> ";
-}
 std::string frame(const std::string& title, const std::string& navigation, const std::string& main,
                   const std::string& bottom = "") {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-         html_text(title) +
-         "</title>\n<link rel=\"stylesheet\" href=\"course.css\">\n</head>\n<body>\n" +
-         link("#main", "To the text", " class=\"skip\"") + "\n<header><nav aria-label=\"Course\">" +
-         navigation + "</nav></header>\n<main id=\"main\">\n" + main + "</main>\n" + bottom +
-         "</body>\n</html>\n";
+  const std::string skip = html_link("#main", "To the text", " class=\"skip\"");
+  const std::string header = "<header><nav aria-label=\"Course\">" + navigation + "</nav></header>";
+  return render::html_page(
+      title, "<link rel=\"stylesheet\" href=\"course.css\">\n",
+      skip + " \n" + header + "\n<main id=\"main\">\n" + main + "</main>\n" + bottom);
 }
 
 }  // namespace
@@ -32,18 +27,18 @@ Texts read_printed(const std::string& output) {
   std::string* block = nullptr;
   for (const std::string& line : learn::fields(output, '\n')) {
     if (line.starts_with("#")) continue;
-    const auto part = learn::matched(line, "([A-Za-z_0-9]+): *(.*?) *");
     if (block != nullptr && line.starts_with("  ")) {
       *block += line.substr(2) + "\n";
-    } else if (!part.empty()) {
-      const auto [place, is_new] = all.emplace(part[1], part[2]);
-      if (!is_new) throw InvalidInput("the program prints the name " + place->first + " twice");
-      block = place->second.empty() ? &place->second : nullptr;
-    } else {
+      continue;
+    }
+    const auto part = learn::matched(line, "([A-Za-z_0-9]+): *(.*?) *");
+    if (part.empty())
       throw InvalidInput("the program prints " + answers::shown_text(line) +
                          "; allowed: \"name: value\", \"name:\" above lines that begin with two "
                          "blanks, \"# ...\"");
-    }
+    const auto [place, is_new] = all.emplace(part[1], part[2]);
+    if (!is_new) throw InvalidInput("the program prints the name " + part[1] + " twice");
+    block = part[2].empty() ? &place->second : nullptr;
   }
   return all;
 }
@@ -80,7 +75,7 @@ std::string value_html(const std::string& text) {
 }
 
 std::string block_html(const std::string& text) {
-  if (text.find(" | ") == text.npos) return code_html(text);
+  if (text.find(" | ") == text.npos) return html_code(text);
   std::string table;
   for (std::string line : learn::fields(text, '\n')) {
     const bool is_head = table.empty();
@@ -96,14 +91,10 @@ std::string block_html(const std::string& text) {
          table + "</tbody></table></div>";
 }
 
-std::string code_html(const std::string& text, const std::string& attributes) {
-  return "<pre tabindex=\"0\"" + attributes + "><code>" + html_text(text) + "</code></pre>";
-}
-
 Texts files_of(const std::vector<Page>& pages, const std::string& top, const std::string& proofs) {
   const std::string title = "Magic mass ratios";
-  const std::string contents = link("index.html", title);
-  const std::string all_proofs = link("derivation.html", "All proofs");
+  const std::string contents = html_link("index.html", title);
+  const std::string all_proofs = html_link("derivation.html", "All proofs");
   Texts files;
   std::string list, list_on_paper, all;
   for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -111,19 +102,18 @@ Texts files_of(const std::vector<Page>& pages, const std::string& top, const std
     const std::string name = html_text(page.title);
     const std::string text = "<p class=\"place\">Chapter " + std::to_string(i + 1) + " of " +
                              std::to_string(pages.size()) + "</p>\n<h1 id=\"" + page.name + "\">" +
-                             name + "</h1>\n" + page.body;
+                             name + "</h1>\n" + page.html;
     const auto turn = [&](std::size_t to, const std::string& words, const std::string& attributes) {
-      return to >= pages.size()
-                 ? ""
-                 : link(pages[to].name + ".html", words + html_text(pages[to].title), attributes);
+      if (to >= pages.size()) return std::string();
+      return html_link(pages[to].name + ".html", words + html_text(pages[to].title), attributes);
     };
     files[page.name + ".html"] =
-        frame(page.title, contents + all_proofs, text,
+        frame(page.title, contents + " " + all_proofs, text,
               "<nav class=\"turn\" aria-label=\"Previous and next\">" +
-                  turn(i - 1, "← ", " rel=\"prev\"") +
+                  turn(i - 1, "← ", " rel=\"prev\"") + " " +
                   turn(i + 1, "→ ", " rel=\"next\" class=\"next\"") + "</nav>\n");
-    list += "<li>" + link(page.name + ".html", name) + "</li>\n";
-    list_on_paper += "<li>" + link("#" + page.name, name) + "</li>\n";
+    list += "<li>" + html_link(page.name + ".html", name) + "</li>\n";
+    list_on_paper += "<li>" + html_link("#" + page.name, name) + "</li>\n";
     all += "<section class=\"chapter\">\n" + text + "</section>\n";
   }
   const std::string first = "<h1>" + title + "</h1>\n" + top + "<h2>Chapters</h2>\n<ol>\n";

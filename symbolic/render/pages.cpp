@@ -14,7 +14,7 @@ std::string because(const Step& s, std::string (*link)(const std::string&)) {
   return s.rule + (s.premises.empty() ? "" : " from " + listed(s.premises, link, ", "));
 }
 /// A conjunction is shown a line a part.
-Exprs lines_of(Expr f) { return f.op() == kernel::Op::And ? f.args() : Exprs{f}; }
+Exprs lines_of(Expr f) { return f.op() == Op::And ? f.args() : Exprs{f}; }
 /// What a page puts around its parts.
 struct Markup {
   std::string (*name)(const std::string& head, const std::string& index);
@@ -117,6 +117,26 @@ std::string wrapped(const std::string& text, const std::string& indent) {
 std::string html_text(const std::string& words) {
   return escaped(words, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
 }
+std::string html_link(const std::string& to, const std::string& html, const std::string& more) {
+  return "<a href=\"" + to + "\"" + more + ">" + html + "</a>";
+}
+std::string html_code(const std::string& text, const std::string& more) {
+  return "<pre tabindex=\"0\"" + more + "><code>" + html_text(text) + "</code></pre>";
+}
+std::string html_lines(Expr e) {
+  std::string out;
+  for (const Expr& line : lines_of(e)) {
+    const bool is_long = line.op() == Op::Iff && line.arg(1).op() == Op::And;
+    if (is_long) out += mathml(line.arg(0), true) + "<p>if and only if</p>";
+    for (const Expr& part : is_long ? line.arg(1).args() : Exprs{line}) out += mathml(part, true);
+  }
+  return out;
+}
+std::string html_page(const std::string& title, const std::string& head, const std::string& body) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
+         html_text(title) + "</title>\n" + head + "</head>\n<body>\n" + body + "</body>\n</html>\n";
+}
 
 std::string text_page(const std::vector<Section>& sections) {
   const auto print = [](Expr e) { return kernel::text(e); };
@@ -166,7 +186,7 @@ std::string latex_page(const std::vector<Section>& sections) {
          page(sections, markup) + "\\end{document}\n";
 }
 std::string html_body(const std::vector<Section>& sections) {
-  const auto link = [](const std::string& id) { return "<a href=\"#" + id + "\">" + id + "</a>"; };
+  const auto link = [](const std::string& id) { return html_link("#" + id, id); };
   return page(
       sections,
       {.name = mathml_name,
@@ -184,12 +204,10 @@ std::string html_body(const std::vector<Section>& sections) {
            [](const std::string& inside) { return "<p class=\"reason\">" + inside + "</p>\n"; }});
 }
 std::string html_page(const std::vector<Section>& sections) {
-  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-         "<meta name=\"viewport\" content=\"width=device-width\">\n"
-         "<title>Derivation</title>\n<style>\n"
-         "body { max-width: 50em; margin: auto; padding: 1em; font-family: serif; }\n"
-         "math[display] { overflow: auto hidden; margin: 0.5em 0; }\n"
-         ".reason { font-size: smaller; color: #444; }\n</style>\n</head>\n<body>\n" +
-         html_body(sections) + "</body>\n</html>\n";
+  const std::string style =
+      "<style>\nbody { max-width: 50em; margin: auto; padding: 1em; font-family: serif; }\n"
+      "math[display] { overflow: auto hidden; margin: 0.5em 0; }\n"
+      ".reason { font-size: smaller; color: #444; }\n</style>\n";
+  return html_page("Derivation", style, html_body(sections));
 }
 }  // namespace render

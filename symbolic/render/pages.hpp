@@ -35,4 +35,10 @@ std::string html_page(const std::vector<Section>& sections);
 std::string html_body(const std::vector<Section>& sections);
 /// Words as HTML has them: &amp; for &.
 std::string html_text(const std::string& words);
+std::string html_link(const std::string& to, const std::string& html, const std::string& more = "");
+std::string html_code(const std::string& text, const std::string& more = "");
+/// A line a part of a conjunction, and of what something holds if and only if it does.
+std::string html_lines(kernel::Expr e);
+/// `head`: what stands there besides the title.
+std::string html_page(const std::string& title, const std::string& head, const std::string& body);
 }  // namespace render
