@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include <cln/real.h>
@@ -27,11 +26,8 @@ int exponent_of(const cl_RA& q) {
 }
 double nearest(const cl_RA& q) {
   if (q == 0) return 0;
-  const cl_RA size = cln::abs(q);
-  const int e = std::max(exponent_of(size), -1022) - 52;
-  const cl_I whole = cln::round1(scaled(size, -e));  // at most 2^53, ties to even
-  const double value = std::ldexp(cln::double_approx(whole), e);
-  return q < 0 ? -value : value;
+  const int e = std::max(exponent_of(cln::abs(q)), -1022) - 52;
+  return std::ldexp(cln::double_approx(cln::round1(scaled(q, -e))), e);  // ties to even
 }
 
 std::size_t length(const cl_RA& q) {
@@ -40,36 +36,34 @@ std::size_t length(const cl_RA& q) {
 
 }  // namespace
 
-int Ball::bits_ = 128;
-void Ball::set_bits(int bits) { bits_ = bits; }
+int Ball::bits = 128;
 
-Ball::Ball(const cl_RA& q) : middle(cln::floor1(scaled(q, bits_))), radius(1) {
-  if (scaled(q, bits_) == middle) radius = 0;
-}
+Ball::Ball(const cl_RA& q)
+    : middle(cln::floor1(scaled(q, bits))), radius(scaled(q, bits) == middle ? 0 : 1) {}
 Ball operator+(const Ball& a, const Ball& b) { return {a.middle + b.middle, a.radius + b.radius}; }
 Ball operator*(const Ball& a, const Ball& b) {
   if (a.is_zero() || b.is_zero()) return 0;
   const cl_I error =
       cln::abs(a.middle) * b.radius + cln::abs(b.middle) * a.radius + a.radius * b.radius;
   // One unit for the product's own rounding, one for that of its error.
-  return {cln::ash(a.middle * b.middle, -Ball::bits_), cln::ash(error, -Ball::bits_) + 2};
+  return {cln::ash(a.middle * b.middle, -Ball::bits), cln::ash(error, -Ball::bits) + 2};
 }
 Ball operator/(const Ball& a, const Ball& b) {
   const cl_I least = cln::abs(b.middle) - b.radius;
   if (least <= 0) throw NotCertain("a divisor is not certainly different from 0");
   if (a.is_zero()) return 0;
   // |a/b - m_a/m_b| <= (r_a |m_b| + r_b |m_a|)/(|m_b| least)
-  const cl_I quotient = cln::floor1(cln::ash(a.middle, Ball::bits_), b.middle);
+  const cl_I quotient = cln::floor1(cln::ash(a.middle, Ball::bits), b.middle);
   const cl_I error =
-      cln::ash(a.radius * cln::abs(b.middle) + b.radius * cln::abs(a.middle), Ball::bits_);
+      cln::ash(a.radius * cln::abs(b.middle) + b.radius * cln::abs(a.middle), Ball::bits);
   return {quotient, cln::floor1(error, cln::abs(b.middle) * least) + 2};
 }
-cl_RA Ball::low() const { return scaled(middle - radius, -bits_); }
-cl_RA Ball::high() const { return scaled(middle + radius, -bits_); }
+cl_RA Ball::low() const { return scaled(middle - radius, -bits); }
+cl_RA Ball::high() const { return scaled(middle + radius, -bits); }
 
-/// The sum of term, -term square/((first + 1)(first + 2)), ... An alternating series is off by less
-/// than its next term, once the terms fall.
-Ball Ball::alternating(Ball term, const Ball& square, int first) {
+/// The sum of term, -term square/((first + 1)(first + 2)), ..., off by less than its last term:
+/// where they alternate, once they fall, and else where |square| < 1.
+Ball Ball::over_factorials(Ball term, const Ball& square, int first) {
   Ball sum = term;
   for (int k = first; cln::abs(term.middle) > term.radius || k < first + 16; k += 2) {
     term = -(term * square).over((k + 1) * (k + 2));
@@ -88,10 +82,10 @@ Ball Ball::odd_powers(const Ball& t, const Ball& square) {
   sum.radius = sum.radius + cln::abs(power.middle) + power.radius;
   return sum;
 }
-Ball cos(const Ball& x) { return Ball::alternating(1, x * x, 0); }
-Ball sin(const Ball& x) { return Ball::alternating(x, x * x, 1); }
+Ball cos(const Ball& x) { return Ball::over_factorials(1, x * x, 0); }
+Ball sin(const Ball& x) { return Ball::over_factorials(x, x * x, 1); }
 Ball power(const Ball& base, std::int64_t exponent) {
-  const auto size = static_cast<std::int64_t>(cln::integer_length(base.middle)) - Ball::bits_;
+  const auto size = static_cast<std::int64_t>(cln::integer_length(base.middle)) - Ball::bits;
   if (size > 1 && exponent > 1000000 / size) throw NotCertain("a power of too many digits");
   Ball result = 1, square = base;
   for (; exponent > 0; exponent /= 2) {
@@ -103,11 +97,11 @@ Ball power(const Ball& base, std::int64_t exponent) {
 Ball sqrt(const Ball& x) {
   if (x.middle < x.radius) throw NotCertain("a root of what may be negative");
   cl_I root;
-  cln::isqrt(cln::ash(x.middle, Ball::bits_), &root);
+  cln::isqrt(cln::ash(x.middle, Ball::bits), &root);
   // |sqrt(x) - sqrt(m)| <= r/sqrt(m), and <= sqrt(r)
   cl_I error;
-  cln::isqrt(cln::ash(x.radius, Ball::bits_), &error);
-  if (root > 0) error = cln::min(error, cln::floor1(cln::ash(x.radius, Ball::bits_), root));
+  cln::isqrt(cln::ash(x.radius, Ball::bits), &error);
+  if (root > 0) error = cln::min(error, cln::floor1(cln::ash(x.radius, Ball::bits), root));
   return {root, error + 2};
 }
 Ball atan(const Ball& x) {
@@ -123,18 +117,14 @@ Ball Ball::pi() {  // Machin
 Ball exp(const Ball& x) {
   if (x.high() > 100000) throw NotCertain("an exponential of what may be above 10^5");
   // exp(x) = exp(x/2^k)^(2^k), the middle alone: exp(m + r) <= exp(m) (1 + 2 r) for r <= 1.
-  if (x.radius > cln::ash(cl_I(1), Ball::bits_)) throw NotCertain("an exponential of a wide ball");
+  if (x.radius > cln::ash(cl_I(1), Ball::bits)) throw NotCertain("an exponential of a wide ball");
   const int halvings = 8 + static_cast<int>(cln::integer_length(cln::floor1(cln::abs(x.low()))));
   const Ball small{cln::ash(x.middle, -halvings), cl_I(1)};
-  Ball term = 1, sum = 1;
-  for (int k = 1; cln::abs(term.middle) > term.radius; ++k) {
-    term = (term * small).over(k);
-    sum = sum + term;
-  }
-  sum.radius = sum.radius + cln::abs(term.middle) + term.radius;  // the rest is below its first
+  const Ball square = -(small * small);
+  Ball sum = Ball::over_factorials(1, square, 0) + Ball::over_factorials(small, square, 1);
   for (int k = 0; k < halvings; ++k) sum = sum * sum;
   sum.radius =
-      sum.radius + cln::ash(2 * x.radius * (cln::abs(sum.middle) + sum.radius), -Ball::bits_) + 1;
+      sum.radius + cln::ash(2 * x.radius * (cln::abs(sum.middle) + sum.radius), -Ball::bits) + 1;
   return sum;
 }
 Ball log(const Ball& x) {
@@ -301,11 +291,9 @@ std::size_t Surd::bits() const {
   return sum;
 }
 std::optional<double> Surd::to_double() const {
-  const cl_RA x = near(), size = cln::abs(x);
-  if (cln::zerop(x)) return 0.0;
-  using Limits = std::numeric_limits<double>;
-  const bool fits = exact(Limits::min()) <= size && size <= exact(Limits::max());
-  return fits ? std::optional(cln::double_approx(x)) : std::nullopt;
+  const cl_RA x = near();
+  const double value = nearest(x);
+  return cln::zerop(x) || std::isnormal(value) ? std::optional(value) : std::nullopt;
 }
 std::string Surd::text() const {
   std::string all = cln::zerop(rational_) && !roots_.empty() ? "" : kernel::digits(rational_);

@@ -30,9 +30,8 @@ public:
   Ball(std::int64_t n) : Ball(cln::cl_RA(static_cast<long long>(n))) {}
   explicit Ball(double finite) : Ball(exact(finite)) {}
 
-  static void set_bits(int bits);  ///< of all balls from now on; no older one may be used again
+  static int bits;  ///< of all balls from now on; no older one may be used again
   static Ball pi();
-  static int bits() { return bits_; }
   friend Ball cos(const Ball& x);  ///< without reduction: for |x| up to 8, say
   friend Ball sin(const Ball& x);
   /// Throws NotCertain where x may be above 10^5.
@@ -66,9 +65,8 @@ private:
   bool is_zero() const { return middle == 0 && radius == 0; }
   /// A part of it; as cheap as can be.
   Ball over(int n) const { return {cln::floor1(middle, n), cln::floor1(radius, n) + 2}; }
-  static Ball alternating(Ball term, const Ball& square, int first);
+  static Ball over_factorials(Ball term, const Ball& square, int first);
   static Ball odd_powers(const Ball& t, const Ball& square);
-  static int bits_;
   cln::cl_I middle, radius;
 };
 
@@ -83,8 +81,7 @@ class Surd {
 public:
   Surd(const cln::cl_RA& rational = 0) : rational_(rational) {}
   Surd(int whole) : Surd(cln::cl_RA(whole)) {}
-  /// The double itself. It must be finite.
-  explicit Surd(double value) : Surd(exact(value)) {}
+  explicit Surd(double finite) : Surd(exact(finite)) {}
 
   /// Throws std::domain_error for the root of what is negative or has a root itself.
   static Surd sqrt(const Surd& x);

@@ -52,9 +52,9 @@ private:
     const Ball value = (*this)(e);
     if (value.low() > 0) return 1;
     if (value.high() < 0) return -1;
-    const int bits = Ball::bits();
+    const int bits = Ball::bits;
     const std::optional<int> exact = exact_sign(e);
-    Ball::set_bits(bits);
+    Ball::bits = bits;
     if (!exact) throw NotCertain("a sign is not certain");
     return *exact;
   }
@@ -236,7 +236,7 @@ std::optional<cln::cl_RA> near_fraction(const cln::cl_RA& value, int largest_den
 bool is_algebraic(Expr constant) { return Separation().bits(constant).has_value(); }
 
 Ball enclosure(Expr constant, int bits) {
-  Ball::set_bits(bits);
+  Ball::bits = bits;
   return Enclosure({})(constant);
 }
 Ball enclosure(Expr term, const std::map<Expr, Ball>& values) { return Enclosure(values)(term); }

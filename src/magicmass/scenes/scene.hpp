@@ -73,7 +73,7 @@ auto with_bits(int digits, const auto& compute, const std::string& otherwise = "
   const int wanted = 4 * digits;
   const int most = 8192 + 4 * wanted;  // a double near 2^-1074 with its count takes some 3,000
   for (int bits = 128 + wanted; bits <= most; bits *= 2) {
-    Ball::set_bits(bits);
+    Ball::bits = bits;
     try {
       if (const auto result = std::optional(compute())) return *result;
     } catch (const NotCertain&) {

@@ -22,7 +22,7 @@ std::optional<std::vector<double>> rounded(const Balls& balls) try {
   for (const Ball& ball : balls()) {
     const cln::cl_RA low = ball.low(), high = ball.high();
     auto number = nearest_double(low, high);
-    if (!number && Ball::bits() > 1500) number = tie(low, high);
+    if (!number && Ball::bits > 1500) number = tie(low, high);
     if (low > largest || high < -largest) number = Limits::infinity();
     if (!number) return {};
     if (*number == 0 && (low > 0 || high < 0)) number = Limits::denorm_min();
@@ -48,7 +48,7 @@ bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
   if (!is_early) try {
       is_early = trios.collision(j).time <= ball_of(time);
     } catch (const NotCertain&) {
-      if (Ball::bits() > 1500) is_early = exactly(true);
+      if (Ball::bits > 1500) is_early = exactly(true);
       if (!is_early) throw;
     }
   return *is_early;
@@ -176,7 +176,7 @@ std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int
     if (!most) {
       const Trio::Collision end = trios.collapse();
       const Ball since = at - end.time;
-      const bool is_tie = since.low() <= 0 && 0 <= since.high() && Ball::bits() > 1500;
+      const bool is_tie = since.low() <= 0 && 0 <= since.high() && Ball::bits > 1500;
       if (is_tie || since >= 0)
         return rounded(
             [&] { return std::vector(trios.bodies(), end.position + end.v_left * since); });

@@ -116,7 +116,7 @@ std::optional<std::int64_t> Trios::count() const {
 }
 
 const Trio::Shape& Trios::shape_of(const Pair& pair) const {
-  const std::pair key(Ball::bits(), pair.k);
+  const std::pair key(Ball::bits, pair.k);
   if (!shapes_.contains(key)) shapes_.emplace(key, pair.trio.shape());
   return shapes_.at(key);
 }

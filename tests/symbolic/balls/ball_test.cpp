@@ -15,7 +15,7 @@ cl_RA width(const Ball& ball) { return ball.high() - ball.low(); }
 }  // namespace
 
 TEST_CASE("operations hold the exact result, narrowly") {
-  Ball::set_bits(100);
+  Ball::bits = 100;
   const cl_RA tiny = power_of_2(-90);
   for (int p = -7; p <= 7; ++p)
     for (int q = 1; q <= 9; q += 2) {
@@ -34,7 +34,7 @@ TEST_CASE("operations hold the exact result, narrowly") {
   CHECK_THROWS_AS(sqrt(Ball(-1)), NotCertain);
 }
 TEST_CASE("functions meet their identities") {
-  Ball::set_bits(200);
+  Ball::bits = 200;
   const cl_RA tiny = power_of_2(-180);
   const Ball pi = Ball::pi();
   CHECK(*decimal(pi.low(), pi.high(), 40) == "3.141592653589793238462643383279502884197");

@@ -218,7 +218,7 @@ std::size_t check(const codegen::Quantity& q, const codegen::Case& c,
 }  // namespace
 
 TEST_CASE("printed bounds are the header's; none is too small, and each one halved is seen") {
-  Ball::set_bits(520);
+  Ball::bits = 520;
   std::vector<codegen::Quantity> all = generate::evaluators();
   all.push_back(sum_and_square());
   std::size_t constants = 0;

@@ -83,7 +83,7 @@ bool holds(const Ball& ball, const cl_RA& x) {
 }
 /// What the theorem says of the first collisions, and of the velocities after all of them.
 void compare(const Trios& trio, const std::vector<Step>& rows, const Line& after) {
-  Ball::set_bits(320);
+  Ball::bits = 320;
   for (std::size_t j = 0; j < rows.size(); ++j) {
     INFO(j);
     const Trio::Collision c = trio.collision(std::int64_t(j));
@@ -103,7 +103,7 @@ cl_RA compare_end(const Trios& trio, const std::vector<Step>& rows, Line line) {
   };
   const cl_RA wait = time(1) - time(2), part = wait == 0 ? cl_RA(0) : wait / (time(2) - time(3));
   const cl_RA rest = wait * part / (1 - part);
-  Ball::set_bits(1024);
+  Ball::bits = 1024;
   const Trio::Collision end = trio.collapse();
   const auto between = [](const cl_RA& low, const Ball& x, const cl_RA& high) {
     REQUIRE((low <= x.high() && x.low() <= high));
