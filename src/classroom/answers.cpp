@@ -129,8 +129,7 @@ std::optional<std::string> misnamed(const std::string& file, const std::vector<E
 std::optional<Judgement> judged_file(const Exercise& e, const std::string& folder,
                                      const learn::Run& run, unsigned seconds) try {
   const std::optional<std::string> text = text_in(folder, answer_file(e));
-  if (!text) return {};
-  return judged_apart(e, *text, run, seconds);
+  return text ? std::optional(judged_apart(e, *text, run, seconds)) : std::nullopt;
 } catch (const InvalidInput& error) {
   return Judgement{Mark::unread, std::string("Not read: ") + error.what() + "."};
 }

@@ -8,12 +8,8 @@
 
 namespace classroom {
 
-using answers::Answer;
-using answers::InvalidInput;
-using answers::Request;
-using answers::text_cell;
-using learn::Exercise;
-using learn::Judgement;
+using answers::Answer, answers::InvalidInput, answers::Request, answers::text_cell;
+using learn::Exercise, learn::Judgement;
 
 Answer learn_by_exercises(const Request& request);
 

@@ -11,8 +11,9 @@ const std::string letters =
     "|\xE0[\xA0-\xBF][\x80-\xBF]|\xE1[\x80-\xBF]{2}"            // U+0800 to U+1FFF
     "|[\xE3-\xEC][\x80-\xBF]{2}|\xED[\x80-\x9F][\x80-\xBF])*";  // U+3000 to U+D7FF
 
-/// Text of others: in CSV no field begins as a spreadsheet's formula does, with ; between, too.
+/// Text of others, if any: in CSV no field begins as a spreadsheet's formula, with ; between, too.
 answers::Cell cell_of(const Request& request, std::string text) {
+  if (text.empty()) return answers::missing_cell();
   if (request.format != "csv") return text_cell(text);
   if (text.find_first_of("=+-@") == 0) text.insert(0, "'");
   std::ranges::replace(text, ';', ',');
@@ -20,13 +21,13 @@ answers::Cell cell_of(const Request& request, std::string text) {
 }
 
 /// Folders, and links to some, of which nothing is read.
-std::vector<std::filesystem::path> students_of(const std::string& place) {
+std::set<std::filesystem::path> students_of(const std::string& place) {
   std::error_code error;
-  std::vector<std::filesystem::path> students;
+  std::set<std::filesystem::path> students;
   for (const auto& entry : std::filesystem::directory_iterator(place, error)) {
     std::error_code ignored;  // a link to itself
     if (entry.is_directory(ignored) && !entry.path().filename().string().starts_with('.'))
-      students.push_back(entry.path());
+      students.insert(entry.path());
   }
   if (students.empty())
     throw InvalidInput("learn grade: no folders of students in " + answers::shown_text(place, 200) +
@@ -34,7 +35,6 @@ std::vector<std::filesystem::path> students_of(const std::string& place) {
   if (students.size() > 1000)  // as the command's help says
     throw answers::Undecided("learn grade: " + std::to_string(students.size()) +
                              " students are more than are graded at once; at most 1000");
-  std::ranges::sort(students);
   return students;
 }
 
@@ -71,11 +71,9 @@ Answer grade(const Request& request, const std::vector<Exercise>& all, const lea
       const std::optional<Judgement> said = judged_file(exercises[i], student, run);
       row.push_back(text_cell(said ? word(said->mark) : "missing"));
       if (!said) continue;
-      const std::string& misconception = said->misconception;
-      if (!misconception.empty()) ++had[{i, misconception}];
-      why.rows.push_back(
-          {shown, text_cell(exercises[i].id), row.back(), cell_of(request, said->feedback),
-           misconception.empty() ? answers::missing_cell() : cell_of(request, misconception)});
+      if (!said->misconception.empty()) ++had[{i, said->misconception}];
+      why.rows.push_back({shown, text_cell(exercises[i].id), row.back(),
+                          cell_of(request, said->feedback), cell_of(request, said->misconception)});
     }
     std::set<std::string> there;  // of what may be a great many
     if (std::error_code error; !std::filesystem::is_symlink(student, error))

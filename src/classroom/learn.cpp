@@ -27,16 +27,14 @@ Answer document(const Request& request, const Exercise& e, const std::string& te
 
 Answer list(const Request& request) {
   answers::Table table{{"id", "done", "title", "kind", "chapter"}, {}};
-  const std::size_t columns = request.format == "text" ? 3 : 5;  // so that it fits on a screen
-  table.columns.resize(columns);
   std::map<std::string, Attempts> before = attempts();
   for (const Exercise& e : asked_for(request)) {
     const std::string& done = before[e.id].done;
     table.rows.push_back({text_cell(e.id), done.empty() ? answers::missing_cell() : text_cell(done),
                           text_cell(e.title), text_cell(e.kind), text_cell(e.chapter)});
-    table.rows.back().resize(columns);
   }
-  return {table};
+  const bool is_text = request.format == "text";  // that fits on a screen
+  return {is_text ? selected(table, {"id", "done", "title"}) : table};
 }
 
 Answer show(const Request& request) {

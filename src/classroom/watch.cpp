@@ -5,15 +5,6 @@
 #include "classroom/classroom.hpp"
 
 namespace classroom {
-namespace {
-
-constexpr std::chrono::milliseconds between_looks{150};
-
-/// Time of change and size: others where it was saved, or something was renamed over it.
-using Stamp = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
-
-}  // namespace
-
 void watch(const std::vector<Exercise>& all, const std::string& folder, const learn::Run& run,
            const std::function<void(std::string_view)>& say) {
   std::error_code error;
@@ -22,6 +13,8 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
     say(text);
     say("");
   };
+  /// Time of change and size: others where it was saved, or something was renamed over it.
+  using Stamp = std::pair<std::filesystem::file_time_type, std::uintmax_t>;
   std::map<std::string, Stamp> last, judged;
   std::set<std::string> reported;
   for (bool is_first = true;; is_first = false) {
@@ -50,7 +43,7 @@ void watch(const std::vector<Exercise>& all, const std::string& folder, const le
     if (is_first)
       tell("Watching " + answers::shown_text(place, 200) +
            ": save an answer as ID.txt, or ID.cpp for code. Ctrl-C ends this.\n");
-    std::this_thread::sleep_for(between_looks);
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
   }
 }
 
