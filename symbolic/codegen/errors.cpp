@@ -114,8 +114,7 @@ private:
     const Form c = absorber.constant(f);
     if (c.size() != 1 || !c.begin()->first.empty()) return {};
     const double from_least = c.begin()->second / p[k].range.least() * and_more;
-    if (!(from_least <= close)) return {};
-    return from_least;
+    return from_least <= close ? std::optional(from_least) : std::nullopt;
   }
   double needed(int k) const {
     const std::optional<double> r = relative(k);

@@ -12,6 +12,11 @@ namespace codegen {
 namespace {
 constexpr double pi_below = 0x1.921fb54442d18p+1;
 constexpr int libm_steps = 4;
+std::string formatted(const char* format, double x) {
+  char text[40];
+  std::snprintf(text, sizeof text, format, x);
+  return text;
+}
 }  // namespace
 
 cln::cl_RA exact(double x) {
@@ -23,8 +28,7 @@ cln::cl_RA exact(double x) {
 double nearest(const cln::cl_RA& x) {
   if (cln::zerop(x)) return 0;
   const cln::cl_RA size = cln::abs(x);
-  const bool is_double = size >= exact(0x1p-960) && size <= exact(0x1p1000);
-  if (!is_double) throw Refused("a number that is no double");
+  if (size < exact(0x1p-960) || size > exact(0x1p1000)) throw Refused("a number that is no double");
   return cln::double_approx(x);
 }
 double upper(const cln::cl_RA& x) {
@@ -41,16 +45,9 @@ const cln::cl_RA& pi() {
   return value;
 }
 
-std::string hex(double x) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%a", x);
-  return text;
-}
+std::string hex(double x) { return formatted("%a", x); }
 std::string as_power_of_2(double x) {
-  if (x == 0) return "0";
-  char text[40];
-  std::snprintf(text, sizeof text, "2^%.1f", std::ceil(std::log2(x) * 10) / 10);
-  return text;
+  return x == 0 ? "0" : formatted("2^%.1f", std::ceil(std::log2(x) * 10) / 10);
 }
 
 double Interval::size() const { return std::max(std::fabs(low), std::fabs(high)); }

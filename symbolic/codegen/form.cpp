@@ -53,8 +53,7 @@ std::optional<double> Absorber::share(const Sizes& x, const Sizes& y) const {
   }
   double by = 1;
   for (int w : mine) by *= most(w);
-  if (by > small_size) return {};
-  return by;
+  return by > small_size ? std::nullopt : std::optional(by);
 }
 const Sizes* Absorber::taker(const Form& f, const Sizes& x, double k, const Sizes& but) const {
   for (const auto& [y, of_y] : f) {
