@@ -8,8 +8,7 @@ namespace answers {
 namespace {
 
 using namespace magicmass::scenes;
-using cln::cl_I;
-using cln::cl_RA;
+using cln::cl_I, cln::cl_RA;
 using namespace notation;
 
 Ball evaluated(const std::string& id, const std::map<kernel::Expr, Ball>& values) {

@@ -6,9 +6,7 @@
 
 namespace answers {
 
-using magicmass::scenes::Ball;
-using magicmass::scenes::Surd;
-using magicmass::scenes::Trio;
+using magicmass::scenes::Ball, magicmass::scenes::Surd, magicmass::scenes::Trio;
 using magicmass::scenes::value_of;
 
 /// The mass ratio of a request. Throws InvalidInput.

@@ -7,8 +7,7 @@
 #include "kernel/polynomial.hpp"
 
 namespace coq {
-using kernel::one;
-using kernel::Polynomial;
+using kernel::one, kernel::Polynomial;
 
 namespace {
 Exprs sides(const Theorem& t) {

@@ -7,12 +7,7 @@
 #include "coq/files.hpp"
 
 namespace coq {
-using kernel::Expr;
-using kernel::Exprs;
-using kernel::Op;
-using kernel::Sort;
-using kernel::Step;
-using kernel::Theorem;
+using kernel::Expr, kernel::Exprs, kernel::Op, kernel::Sort, kernel::Step, kernel::Theorem;
 
 extern const char* const prelude;  ///< symbolic/coq/prelude.v
 

@@ -7,8 +7,7 @@
 namespace magicmass::scenes {
 namespace {
 
-using simulator::Collision;
-using simulator::Engine;
+using simulator::Collision, simulator::Engine;
 
 constexpr std::size_t most_bits = 1U << 17U;
 constexpr double most_work = 5e8;  // some five seconds where exact numbers are asked for

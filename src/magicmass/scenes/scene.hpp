@@ -15,12 +15,8 @@
 
 namespace magicmass::scenes {
 
-using balls::Ball;
-using balls::decimal;
-using balls::exact;
-using balls::nearest_double;
-using balls::NotCertain;
-using balls::Surd;
+using balls::Ball, balls::NotCertain, balls::Surd;
+using balls::decimal, balls::exact, balls::nearest_double;
 
 /// A number as a scene writes it, kept as what it is, or a difference of two.
 struct Value {

@@ -5,8 +5,7 @@
 
 namespace magicmass::scenes {
 namespace {
-using cln::cl_I;
-using cln::cl_RA;
+using cln::cl_I, cln::cl_RA;
 const std::string unknown = "differences or ratios of its numbers are not known exactly";
 /// A number for which no guard of a restitution form refuses anything.
 struct Unguarded : Ball {

@@ -7,8 +7,7 @@
 namespace magicmass::scenes {
 namespace {
 
-using kernel::Expr;
-using kernel::Op;
+using kernel::Expr, kernel::Op;
 
 constexpr std::size_t longest_text = 4096;
 constexpr std::size_t most_bits = 1U << 17U;
