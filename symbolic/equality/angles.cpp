@@ -21,7 +21,7 @@ int parts_of(const Sum& sum) {
 // point the way to 0, and a point there, with any part of its boundary.
 bool is_connected(const Domain& domain, const std::vector<Requirement>& needs,
                   const std::vector<Requirement>& shape, const std::vector<Point>& inside) {
-  Domain box = narrowed(narrowed(domain, needs), shape);
+  Domain box = narrowed(narrowed(domain, shape), needs);
   for (auto& [symbol, range] : box.ranges) {
     if (range.is_integer) return false;
     if (range.is_point()) continue;

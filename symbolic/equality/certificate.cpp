@@ -225,7 +225,7 @@ void name_bases(Expr e, kernel::Substitution& names) {
 // Sines of parts of pi by those of one part; false where they are too much.
 bool add_sines(Expr e, Roots& roots) {
   Exprs sines = parts_of(e);
-  std::erase_if(sines, std::not_fn(is_sine));
+  std::erase_if(sines, [](Expr part) { return !is_sine(part) || !is_algebraic_term(part); });
   cln::cl_I d = 1;
   for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
   const int most = cln::mod(d, 15) == 0 ? most_work_of_15 : most_work;

@@ -271,7 +271,7 @@ private:
   }
   bool is_same_form(Expr other) {
     try {
-      Forms forms(narrowed(narrowed(domain, needs), conditions(domain)));
+      Forms forms(narrowed(narrowed(domain, conditions(domain)), needs));
       for (int pass = 0; pass < 2; ++pass) {  // a sign found late names earlier terms anew
         for (const Requirement& r : needs) forms.assume(r);
         for (const auto& r : conditions(domain)) is_proved([&] { return forms.assume(r), true; });
@@ -280,6 +280,14 @@ private:
       if (forms.is_zero(difference)) return proved(no_difference);
       if (forms.is_zero(forms.of(notation::call("exp", 2 * (left - other))) - number(1)))
         return proved("normal form: the exponential of twice the difference is 1");
+      for (Expr root : parts_of(left - other)) {
+        const Expr name = kernel::real("value_of_root");  // which nobody can type
+        if (!is_call(root, "sqrt") || kernel::free_variables(root).empty()) continue;
+        const auto value = zero_of(kernel::replace(left - other, root, name), name);
+        if (value && forms.is_not_negative(forms.of(*value)) &&
+            forms.is_zero(forms.of(kernel::power(*value, 2) - root.arg(0))))
+          return proved("normal form: " + typed_text(root) + " alone on one side, and squared");
+      }
       if (forms.is_not_negative(forms.of(left)) && forms.is_not_negative(forms.of(other)) &&
           forms.is_zero(forms.of(kernel::power(left, 2) - kernel::power(other, 2))))
         return proved("normal form: neither side is negative, and their squares are equal");

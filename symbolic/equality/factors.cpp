@@ -39,8 +39,7 @@ std::map<Expr, Generator> generators(const Sum& sum) {
     // e^(2x) - 1 has the factor e^x - 1, e^(2000x) - 1 at least e^(1000x) - 1.
     if (g.step != 0) {
       const cln::cl_RA finest = cln::cl_RA(1) / cln::denominator(g.step);
-      const bool is_constant = atom == circle() && monomial.empty();  // z^(13/8)
-      const bool is_fine = !is_constant && greatest - least <= finest * highest_degree;
+      const bool is_fine = greatest - least <= finest * highest_degree;
       // x^61 has no root of a factor: x may be negative.
       const bool can_halve = atom == circle() || atom == euler() || is_whole(g.step / 2);
       g.step = is_fine ? finest : can_halve ? g.step / 2 : g.step;
@@ -128,6 +127,7 @@ Forms::Factors Forms::factors_of(const Sum& sum) {
 }
 // A sum that its conjugate is a multiple of is real but for a power of z: that is taken out.
 void Forms::take_factor(Factors& into, Sum part, int times_taken) {
+  if (part.empty()) throw NotDefined("0, written as a sum");
   const auto take_content = [&] {
     const cln::cl_RA inside = content(part);
     into.number = into.number * cln::expt(inside, times_taken);

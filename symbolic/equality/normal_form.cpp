@@ -55,8 +55,7 @@ Sum Forms::function(Expr term) {
   const std::string name = term.name();
   if (term.size() == 0) return atom(term);
   Sum x = of(term.arg(0));
-  const bool has_factors = name == "sqrt" || name == "root" || name == "abs" || name == "raised";
-  if (has_factors && is_nothing(x)) x = {};
+  if (is_nothing(x)) x = {};
   if (name == "inv") return integer_power(x, -1);
   if (name == "abs") {
     if (x.empty() || is_not_negative(x)) return x;

@@ -125,9 +125,14 @@ private:
   std::map<Sum, std::pair<int, int>> signs;  // of composites, and the depth where that was asked
   std::map<Expr, int> assumed_signs;         // 1: not negative, 2: positive, -1, -2 likewise
   std::set<Expr> assumed_not_zero;
-  std::vector<std::pair<Sum, int>> assumed;            // signs, likewise
-  std::vector<std::pair<Exprs, int>> signed_products;  // a b c is not negative (1) or positive (-1)
-  int depth = 0;                                       // of questions for signs
+  std::vector<std::pair<Sum, int>> assumed;  // signs, likewise
+  struct SignedProduct {  // a b c is not negative (1) or positive (-1), or others are 0
+    Exprs atoms = {};
+    Product others = {};
+    int sign = 1;
+  };
+  std::vector<SignedProduct> signed_products;
+  int depth = 0;  // of questions for signs
 
   Sum computed(Expr term);
   Sum function(Expr term);

@@ -127,10 +127,29 @@ Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
       domain.ranges[x].cut_above(end);
     return true;
   };
+  // Of a x^2 + b x + c with rational zeros: between them, or beyond the one that is not passed.
+  const auto narrow_by_square = [&](const Requirement& r, Expr x) {
+    const auto parts = quadratic_in(r.term, x);
+    const auto number = [&](int i) { return notation::rational_value(parts[i]).value_or(0); };
+    const cln::cl_RA a = number(0), b = number(1), c = number(2), square = b * b - 4 * a * c;
+    cln::cl_RA root;
+    Forms forms(domain);
+    const Sum rest = forms.of(r.term - (Expr(a) * x + Expr(b)) * x - Expr(c));
+    if (a == 0 || square < 0 || !cln::sqrtp(square, &root) || !forms.is_zero(rest)) return false;
+    const bool is_inside = r.kind == Need::NotNegative;
+    const End less{(-b - root / cln::signum(a)) / (2 * a), is_inside};
+    const End more{(-b + root / cln::signum(a)) / (2 * a), is_inside};
+    Range& range = domain.ranges[x];
+    if (a < 0 || (range.low && range.low->value > less.value)) range.cut_below(a < 0 ? less : more);
+    if (a < 0 || (range.high && range.high->value < more.value))
+      range.cut_above(a < 0 ? more : less);
+    return true;
+  };
   for (const Requirement& r : needs) {
     const std::set<Expr> symbols = kernel::free_variables(r.term);
     if (r.kind != Need::NotZero && symbols.size() == 1)
-      is_proved([&] { return narrow(r, *symbols.begin()); });
+      is_proved([&] { return narrow(r, *symbols.begin()); }) ||
+          is_proved([&] { return narrow_by_square(r, *symbols.begin()); });
   }
   return domain;
 }

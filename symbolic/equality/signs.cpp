@@ -156,12 +156,13 @@ int Forms::sign_of_composite(const Sum& sum) {
   if (known != signs.end() && (known->second.first != 0 || known->second.second <= depth))
     return known->second.first;
   ++depth;
-  int sign = 0;
+  const std::optional<Expr> real = real_expression(sum);
+  const bool is_number = real && kernel::free_variables(*real).empty();
+  int sign = is_number ? sign_of_number(sum) : sign_by_terms(sum);
   for (Rule Forms::*rule :
-       {&Forms::sign_by_terms, &Forms::sign_of_number, &Forms::sign_of_trigonometric,
-        &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_root, &Forms::sign_of_two,
-        &Forms::sign_of_quadratic})
-    if (sign == 0) sign = (this->*rule)(sum);
+       {&Forms::sign_of_trigonometric, &Forms::sign_of_cosine, &Forms::sign_by_shift,
+        &Forms::sign_of_root, &Forms::sign_of_two, &Forms::sign_of_quadratic})
+    if (sign == 0 && !is_number) sign = (this->*rule)(sum);
   --depth;
   signs[sum] = {sign, depth};
   return sign;
@@ -312,18 +313,20 @@ void Forms::assume(const Requirement& requirement) {
     const int strength = strictly ? 2 : 1;
     assumed.emplace_back(sum, strength);
     Product known = f.powers;
-    Exprs unknown;
+    SignedProduct is;
     for (const auto& [atom, e] : f.powers) {
       const bool is_odd = whole_number(e).value_or(0) % 2 != 0;
       if (!is_odd || is_complex(atom) || sign_of_atom(atom) != 0) continue;
-      unknown.push_back(atom);
+      is.atoms.push_back(atom);
       known.erase(atom);
     }
     const int rest = product(sign_of_powers(known), f.number > 0 ? 2 : -2);
-    const bool is_certain = strictly ? rest != 0 : std::abs(rest) == 2;
-    const int sign = rest > 0 ? 1 : -1;
-    if (unknown.size() == 1 && is_certain) assumed_signs[unknown[0]] = sign * strength;
-    if (unknown.size() > 1 && is_certain) signed_products.emplace_back(unknown, sign);
+    if (!strictly && std::abs(rest) == 1) is.others = known;
+    is.sign = rest > 0 ? 1 : -1;
+    if (is.atoms.size() == 1 && is.others.empty() && rest != 0)
+      assumed_signs[is.atoms[0]] = is.sign * strength;
+    else if (!is.atoms.empty() && rest != 0)
+      signed_products.push_back(is);
   }
   forms.clear();
   factored.clear();

@@ -72,11 +72,17 @@ Sum Forms::times(const Sum& a, const Sum& b) {
 void Forms::reduce(Product& product, cln::cl_RA& number) {
   for (const auto& [atom, e] : Product(product))
     if (is_call(atom, "abs")) reduce_modulus(product, number, atom, e);
-  for (const auto& [atoms, sign] : signed_products) {
+  for (const auto& [atoms, others, sign] : signed_products) {
     const auto is_there = [&](Expr atom) {
       return constant_part(exponent_in(product, absolute(atom))) >= 1;
     };
-    if (!std::ranges::all_of(atoms, is_there)) continue;
+    const auto is_0_with = [&](const auto& power) {  // the product, where that power is
+      const auto& [atom, there] = power;
+      const Exponent e = exponent_in(product, atom) + exponent_in(product, absolute(atom));
+      const cln::cl_RA ratio = of_part(e, there.begin()->first) / there.begin()->second;
+      return ratio > 0 && e == kernel::scaled(there, ratio);
+    };
+    if (!std::ranges::all_of(atoms, is_there) || !std::ranges::all_of(others, is_0_with)) continue;
     if (sign < 0) number = -number;
     for (Expr atom : atoms) {
       multiply(product, absolute(atom), exponent(-1));

@@ -20,7 +20,7 @@ const std::map<std::string, std::string>& definitions() {
         "sinh (exp(x)-exp(-x))/2 cosh (exp(x)+exp(-x))/2 "
         "tanh (exp(x)-exp(-x))/(exp(x)+exp(-x)) coth (exp(x)+exp(-x))/(exp(x)-exp(-x)) "
         "sech 2/(exp(x)+exp(-x)) csch 2/(exp(x)-exp(-x)) asinh log(x+sqrt(x^2+1)) "
-        "acosh log(x+sqrt(x^2-1)) atanh log((1+x)/(1-x))/2 "
+        "acosh log(x+sqrt(x^2-1)) atanh (log(1+x)-log(1-x))/2 "
         "arcsin asin(x) arccos acos(x) arctan atan(x) arctg atan(x) tg tan(x) ctg cot(x) "
         "cosec csc(x) ln log(x) arsinh asinh(x) arcosh acosh(x) artanh atanh(x) "
         "arcsinh asinh(x) arccosh acosh(x) arctanh atanh(x) "
