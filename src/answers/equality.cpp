@@ -9,7 +9,7 @@ namespace {
 
 Cell counterexample_cell(const equality::Verdict& verdict) {
   if (!verdict.counterexample) return missing_cell();
-  const auto& [point, left, right, difference] = *verdict.counterexample;
+  const auto& [at, point, left, right, difference] = *verdict.counterexample;
   const Cell all = object_cell({{"at", text_cell(point)},
                                 {"left", text_cell(left)},
                                 {"right", text_cell(right)},

@@ -85,8 +85,8 @@ Request request_of(const Command& command, const std::vector<Option>& options,
     std::string value = is_apart ? "" : word.substr(equals + 1);
     if (takes_value && is_apart && at + 1 != end) value = *++at;
     if (takes_value && (value.empty() || (is_apart && value.starts_with("--"))))
-      throw InvalidInput("--" + option->name + " has no value; allowed: " + option->value + ", " +
-                         option->words.substr(0, option->words.find('\n')));
+      throw InvalidInput("--" + option->name + " has no value; write --" + option->name + " " +
+                         option->value + ": " + option->words.substr(0, option->words.find('\n')));
     if (!request.options.emplace(option->name, value).second)
       throw InvalidInput(command.name + ": --" + option->name + ": given twice");
   }

@@ -218,7 +218,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
       const std::string what =
           before == start ? e.start + ", with which the chain begins" : "what comes before it";
       const std::string shown = terms.quoted(part, now);
-      const Judgement compared = terms.compare(given, terms.in_full(before));
+      const Judgement compared = terms.compare(given, terms.in_full(before), now);
       add_gaps(compared, i, notes);
       if (compared.mark == Mark::undecided)
         return {Mark::undecided, "It could not be decided whether " + shown + " in " +
@@ -231,9 +231,16 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
         if (!is_left || !said.misconception.empty()) return said;
         is_aside = true;  // an equation of its own, such as a law
       } else if (!is_step(before, now) && !(is_aside && is_step(now, before))) {
+        Expr other = before;
+        for (Expr sine : equality::parts_of(before))
+          if (kernel::is_call(sine, "sin"))
+            other = kernel::replace(other, kernel::power(sine, 2),
+                                    1 - kernel::power(cos(sine.arg(0)), 2));
+        const bool is_circle = other != before && is_step(other, now);
         return {Mark::incomplete, "In " + line_name(i) + " a step is missing between " +
-                                      shown_before + " and " + shown + ", though they are equal." +
-                                      missing(" Show how it follows from ")};
+                                      shown_before + " and " + shown + ", though they are equal" +
+                                      (is_circle ? ": sin^2 = 1 - cos^2."
+                                                 : "." + missing(" Show how it follows from "))};
       } else if (is_aside) {
         asides.emplace_back(before, now);
       }

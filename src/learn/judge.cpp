@@ -54,7 +54,7 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
     return said;
   }
   const Expr expected = terms.in_full(terms.answer());
-  Judgement said = terms.compare(given, expected);
+  Judgement said = terms.compare(given, expected, typed);
   notes.insert(notes.end(), said.notes.begin(), said.notes.end());
   if (said.mark == Mark::right) {
     const std::string lack = terms.lacking(typed, last);

@@ -34,7 +34,7 @@ kernel::Substitution numbers_of(const std::string& question) {
 }
 
 /// A counterexample in words. Of constants the right value is not given away.
-std::string difference(const equality::Counterexample& c) {
+std::string difference(const equality::Counterexample& c, const std::string& where) {
   const auto shown = [](const std::string& value) {
     const Texts fraction = matched(value, "-?[0-9]+/([0-9]{3,})");
     if (fraction.empty()) return value.starts_with("too close") ? "0, or very nearly" : value;
@@ -48,8 +48,8 @@ std::string difference(const equality::Counterexample& c) {
            (c.difference.starts_with('-') ? "small." : "large.");
   const std::size_t slash = std::min(c.difference.find('/'), c.difference.size());
   const bool is_close = is_small || c.difference.size() > 2 * slash + 6;
-  return "At " + c.point + " yours is " + shown(c.left) + "; it should be " + shown(c.right) +
-         (is_close ? ", apart by " + c.difference + "." : ".");
+  return "At " + c.point + where + " yours is " + shown(c.left) + "; it should be " +
+         shown(c.right) + (is_close ? ", apart by " + c.difference + "." : ".");
 }
 
 /// " at alpha = 1: why": yours has no value at more than one in `share` points, the answer has.
@@ -103,8 +103,18 @@ Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symb
   if (!e.run.empty()) values.merge(numbers_of(e.run));
 }
 
-notation::Typed Terms::typed(const std::string& text, Texts& notes) const {
+notation::Typed Terms::typed(std::string text, Texts& notes) const {
   if (std::ranges::count(text, '=') > 1) kernel::refuse("one equation is expected, with one =");
+  const auto has = [&](const std::string& pattern) {
+    return replaced(text, pattern, [](const Texts&) { return ""; }) != text;
+  };
+  if (has("(^|[^\\w\\\\])(over|plus|minus|times|half|one|two|three)(?!\\w)"))
+    kernel::refuse("words are not read; write -1/2 for minus one half");
+  if (has("[0-9) ]sec$")) kernel::refuse("sec has no place here: an answer is without units");
+  for (const auto& [name, value] : exercise.values)
+    if (value == "1")  // both readings of 147/64V have one value, and the reader knows this one
+      text = replaced(text, "(/ *[0-9.]+)(" + name + "\\b)",
+                      [](const Texts& part) { return part[1] + " " + part[2]; });
   const bool is_column =
       exercise.kind == "symbolic" && kernel::is_matrix(answer()) && answer().cols() == 1;
   const notation::Typed read = notation::read_equation(text, symbols, is_column);
@@ -164,19 +174,26 @@ std::string Terms::foreign(Expr term, const std::string& typed) const {
   for (const std::string& name : notation::symbols_of(term))
     if (!known.contains(name)) names.push_back(name);
   if (names.empty()) return {};
-  static const std::set<std::string> units{"m", "cm", "km", "s",   "ms",      "h",       "kg",
-                                           "g", "J",  "N",  "rad", "seconds", "degrees", "meters"};
   const std::string wanted =
       symbols.empty() ? "a number is asked for" : "an answer may use " + answers::joined(allowed());
+  static const std::set<std::string> units{"m",       "cm",      "km",      "s",     "ms", "h",
+                                           "min",     "kg",      "g",       "J",     "N",  "rad",
+                                           "seconds", "minutes", "degrees", "meters"};
   const auto is_word = [](auto& one) { return one.size() > 3 && !notation::is_greek_name(one); };
   if (names.size() > 1 && std::ranges::any_of(names, is_word) &&
       !matched(typed, R"([^-+*/^=()_0-9\\]+)").empty())
     return "words are not read; " + wanted;
-  const std::string name = names[0], other_case(1, char(name[0] ^ 0x20));
-  const bool is_letter = name.size() == 1 && symbols.contains(other_case);
-  std::string other = is_letter ? other_case : notation::alike(name, symbols);
-  if (other.empty()) other = notation::parted(name, symbols);
-  replace_all(other, " ", "*");
+  Texts others;
+  for (const std::string& name : names) {
+    const std::string other_case(1, char(name[0] ^ 0x20));
+    const bool is_letter = name.size() == 1 && symbols.contains(other_case) &&
+                           !notation::symbols_of(term).contains(other_case);
+    std::string other = is_letter ? other_case : notation::alike(name, symbols);
+    if (other.empty()) other = notation::parted(name, symbols);
+    replace_all(other, " ", "*");
+    if (!other.empty()) others.push_back(other);
+  }
+  const std::string name = names[0];
   const bool is_near = name.size() > 3 && name != exercise.name;  // v_1 is not meant for M_1
   const bool has_unit =  // (1 + alpha) m/s, but not 1/(1 + m)
       symbols.empty() || !matched(typed, ".*[0-9A-Za-z)] [A-Za-z]+(/[A-Za-z]+)?").empty();
@@ -186,8 +203,20 @@ std::string Terms::foreign(Expr term, const std::string& typed) const {
   return answers::joined(answers::texts_of(names, shown)) + (names.size() == 1 ? " has" : " have") +
          " no place here: " + wanted +
          (has_unit && std::ranges::includes(units, names) ? ", without units" : "") +
-         (other.empty() ? meant(name, is_near ? exercise.symbols : Texts{})
-                        : "; is " + other + " meant?");
+         (others.empty()
+              ? meant(name, is_near ? exercise.symbols : Texts{})
+              : (others.size() == 1 ? "; is " : "; are ") + answers::joined(others) + " meant?");
+}
+
+std::string Terms::names_at(const equality::Point& point, Expr typed) const {
+  Texts parts;
+  for (const std::string& name : notation::symbols_of(typed)) {
+    const Expr symbol = notation::symbol(name), meaning = in_full(symbol);
+    if (meaning == symbol || notation::symbols_of(meaning).empty()) continue;
+    parts.push_back(notation::typed_text(symbol) + " = " +
+                    equality::shown_value(equality::at(point, meaning)));
+  }
+  return parts.empty() ? "" : ", where " + answers::joined(parts, " and ") + ",";
 }
 
 Expr Terms::in_full(Expr term) const {
@@ -216,7 +245,7 @@ equality::Domain Terms::domain(const std::set<std::string>& wanted) const {
   return domain;
 }
 
-Judgement Terms::compare_numbers(Expr given, Expr expected) const {
+Judgement Terms::compare_numbers(Expr given, Expr expected, Expr typed) const {
   equality::Verdict verdict;
   equality::Domain where;
   std::string why = "It could not be decided whether yours is equal to the answer.";
@@ -233,16 +262,17 @@ Judgement Terms::compare_numbers(Expr given, Expr expected) const {
             "Yours has no real value" + (none[0] == ':' ? none : ", for instance" + none) + "."};
   }
   if (verdict.answer == equality::Answer::Different)
-    return {Mark::wrong, difference(*verdict.counterexample)};
+    return {Mark::wrong,
+            difference(*verdict.counterexample, names_at(verdict.counterexample->at, typed))};
   if (verdict.conditions.empty()) return {Mark::right, ""};
   return with_gaps(given, expected, where);
 }
 
-Judgement Terms::compare(Expr given, Expr expected) const {
+Judgement Terms::compare(Expr given, Expr expected, Expr typed) const {
   const bool is_matrix = kernel::is_matrix(expected);
   if (is_matrix != kernel::is_matrix(given))
     return {Mark::wrong, is_matrix ? "A matrix is asked for." : "A matrix is not asked for."};
-  if (!is_matrix) return compare_numbers(given, expected);
+  if (!is_matrix) return compare_numbers(given, expected, typed);
   const auto shape = [](Expr m) {
     return std::to_string(m.rows()) + " by " + std::to_string(m.cols());
   };
@@ -252,8 +282,8 @@ Judgement Terms::compare(Expr given, Expr expected) const {
   Judgement all{Mark::right, ""};
   for (int row = 0; row < given.rows(); ++row)
     for (int column = 0; column < given.cols(); ++column) {
-      Judgement one =
-          compare_numbers(kernel::entry(given, row, column), kernel::entry(expected, row, column));
+      Judgement one = compare_numbers(kernel::entry(given, row, column),
+                                      kernel::entry(expected, row, column), typed);
       const std::string place =
           "row " + std::to_string(row + 1) + ", column " + std::to_string(column + 1) + ": ";
       for (const std::string& note : one.notes) all.notes.push_back(place + note);

@@ -14,7 +14,7 @@ public:
   explicit Terms(const Exercise& exercise);
 
   /// What a student typed, an equation or not. Refused (kernel::Refused) where it cannot be read.
-  notation::Typed typed(const std::string& text, Texts& notes) const;
+  notation::Typed typed(std::string text, Texts& notes) const;
   /// Of an equation the side without the name that is asked for; Refused where neither is that.
   Expr typed_for_name(const std::string& text, Texts& notes) const;
   /// What the exercise says. Throws answers::InvalidInput.
@@ -27,8 +27,8 @@ public:
   /// Names that an answer has no right to, "" where there are none: with what is allowed.
   std::string foreign(Expr term, const std::string& typed = "") const;
   Expr in_full(Expr term) const;  ///< with values and the meanings of the paper's names
-  /// Terms in full: right, wrong or undecided. "At alpha = 1 yours is 2; it should be 3."
-  Judgement compare(Expr given, Expr expected) const;
+  /// Terms in full: right, wrong or undecided. "At alpha = 1, where psi = 2.09, yours is 2."
+  Judgement compare(Expr given, Expr expected, Expr typed = 0) const;
   bool are_equal(Expr a, Expr b) const { return compare(a, b).mark == Mark::right; }
   Judgement mistake(Expr given, const std::string& otherwise) const;
   /// The least of what was typed that has this part, where that is short; or the part.
@@ -43,7 +43,9 @@ public:
 private:
   std::set<std::string> symbols, known;  // those that an answer may use; of numbers also values
   kernel::Substitution values;           // the exercise's, and what was run
-  Judgement compare_numbers(Expr given, Expr expected) const;
+  Judgement compare_numbers(Expr given, Expr expected, Expr typed) const;
+  std::string names_at(const equality::Point& point,
+                       Expr typed) const;  // ", where psi = 2.094...,"
 };
 
 Texts forms();

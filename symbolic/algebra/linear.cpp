@@ -203,7 +203,7 @@ private:
   }
   void square(const Monomial& monomial, Expr root) {
     const Expr cofactor = expression({{*divided(monomial, {{root, 2}}), 1}});
-    if (const Proof p = sign_of(root.arg(0), facts))
+    if (const Proof p = sign_of(root.arg(0), facts, false))
       add(equation(cofactor * power(root, 2), cofactor * root.arg(0), {root_squared(*p)}));
   }
   std::set<Monomial> seen;

@@ -1,5 +1,5 @@
 // What the kernel proves again: equations of terms of +, *, /, roots and sines of parts of pi.
-#include <cmath>
+#include <ranges>
 
 #include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t heaviest = 400;
 constexpr int highest_order = 12, most_multiplied_out = 24;
 constexpr int few_roots = 2, most_of_roots = 6;
+constexpr int most_below = 1000;                    // a denominator
 constexpr int most_parts = 60;                      // d of pi/d
 constexpr int most_work = 10, most_work_of_15 = 3;  // whose sines are of more roots
 
@@ -39,7 +40,7 @@ std::string shown(Expr f) {
 }
 Expr by_facts(Expr e, const Theorems& facts) {
   e = kernel::canonical(e);
-  for (const Theorem& is : facts)
+  for (const Theorem& is : std::views::reverse(facts))  // outer roots first
     if (is.conclusion().op() == Op::Eq)
       e = kernel::canonical(
           kernel::replace(e, kernel::canonical(algebra::left(is)), algebra::right(is)));
@@ -57,6 +58,17 @@ Theorem not_zero(Expr c, const Theorems& facts) {
   if (positive) return algebra::certified(kernel::lt(0, c), proof);
   proof.equations.emplace_back(inverse, kernel::assume(zero));
   return algebra::refute(zero, kernel::arithmetic(kernel::lt(0, 0), proof));
+}
+/// less < more or less <= more, from their squares.
+std::optional<Theorem> is_less(Expr less, Expr more, const Theorems& facts) {
+  for (auto is : {kernel::lt, kernel::le}) try {
+      const Expr squares = is(kernel::power(less, 2), kernel::power(more, 2));
+      const Theorems signs{algebra::not_negative(less, facts), algebra::not_negative(more, facts)};
+      return algebra::by_powers(is(less, more), 2,
+                                signs + Theorems{algebra::linear(squares, facts)});
+    } catch (const kernel::Refused&) {
+    }
+  return {};
 }
 /// x^(k/n) is the r with r^n = x^k and, if n is even, 0 <= r; abs(x) is (x^2)^(1/2).
 Exprs definition(Expr root) {
@@ -102,48 +114,55 @@ struct Roots {
       const cln::cl_I order = orders[factor];
       if (!e || order == 0 || order > highest_order) return {};
       const int n = cln::cl_I_to_int(order), k = whole(*e * order);
-      const Expr least = forms.expression(atom(factor, exponent(cln::cl_RA(1) / n)));
+      const Expr other = is_call(factor, "abs") ? kernel::canonical(-factor.arg(0)) : factor;
+      const Expr of = algebra::sign_of(other, facts, false) ? other : factor;
+      const Expr least = forms.expression(atom(of, exponent(cln::cl_RA(1) / n)));
       const Expr whole = kernel::power(least, std::abs(k));
       out = k > 0 ? out * whole : out / whole;
     }
     return is_algebraic_term(out) ? std::optional(out) : std::nullopt;
   }
-  /// What is a + b or a - b, where a and b^2 are rational.
+  /// What is a + b or a - b, where b is one root, or a multiple of it.
   struct Surd {
-    cln::cl_RA a, square;
+    Expr a, square;
     bool is_sum;
   };
   std::optional<Surd> surd(Expr x) {
-    const Sum sum = forms.of(x);
-    const cln::cl_RA a = of_part(sum, {});
-    const Sum b = sum - number(a), squared = forms.of(kernel::power(forms.expression(b), 2));
-    const auto square = notation::rational_value(forms.expression(squared));
-    if (!square || *square == 0) return {};
-    return Surd{a, *square, b.begin()->second > 0};
+    const auto has_root = [](const auto& power) { return !whole_number(power.second); };
+    Sum a, b;
+    for (const auto& term : forms.of(x))
+      (std::ranges::any_of(term.first, has_root) ? b : a).insert(term);
+    if (a.empty() || b.size() != 1) return {};
+    const Expr square = forms.expression(forms.of(kernel::power(forms.expression(b), 2)));
+    return Surd{forms.expression(a), square, b.begin()->second > 0};
   }
   // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) plus or minus sqrt((a - d)/2), d^2 = a^2 - b^2.
   std::optional<Expr> sum_of_roots(Expr root) {
     const auto x = is_call(root, "sqrt") ? surd(root.arg(0)) : std::nullopt;
-    cln::cl_RA d;
-    if (!x || x->a * x->a < x->square || !cln::sqrtp(x->a * x->a - x->square, &d)) return {};
-    const Expr more = kernel::sqrt(Expr((x->a + d) / 2)), less = kernel::sqrt(Expr((x->a - d) / 2));
+    if (!x) return {};
+    Expr d = forms.expression(forms.of(kernel::sqrt(kernel::power(x->a, 2) - x->square)));
+    for (Expr part : parts_of(d)) {
+      if (is_call(part, "abs")) d = kernel::replace(d, part, part.arg(0));
+      if (is_call(part, "sqrt")) return {};
+    }
+    const auto half = [&](Expr e) { return kernel::sqrt(kernel::canonical((x->a + e) / 2)); };
+    const Expr more = half(d), less = half(-d);
     if (x->is_sum) return more + less;
-    facts.push_back(not_zero(more - less, facts));
+    if (const auto falls = is_less(less, more, facts)) facts.push_back(*falls);
     return more - less;
   }
   // The cube roots of a + b and a - b have a product q and a sum t, t^3 = 3 q t + 2 a.
   std::optional<Expr> of_cubes(Expr root) {
     const auto x = order(root) == 3 ? surd(definition(root)[0].arg(1)) : std::nullopt;
+    if (!x) return {};
+    const auto a = notation::rational_value(x->a), square = notation::rational_value(x->square);
     cln::cl_RA q;
-    if (!x || !cln::rootp(cln::abs(x->a * x->a - x->square), 3, &q)) return {};
-    if (x->a * x->a < x->square) q = -q;
-    const cln::cl_RA m = cln::lcm(cln::denominator(q), cln::denominator(2 * x->a));
-    const double a = cln::double_approx(x->a), b = std::sqrt(cln::double_approx(x->square));
-    const double larger = std::cbrt(a < 0 ? a - b : a + b);
-    const double about = cln::double_approx(m) * (larger + cln::double_approx(q) / larger);
-    if (!(std::fabs(about) < 1e15)) return {};
-    const cln::cl_RA t = cln::cl_RA(cln::cl_I(std::llround(about))) / m;
-    if (t * t * t != 3 * q * t + 2 * x->a) return {};
+    if (!a || !square || !cln::rootp(cln::abs(*a * *a - *square), 3, &q)) return {};
+    if (*a * *a < *square) q = -q;
+    const cln::cl_RA one = enclosure(root, 128).low();
+    const auto sum = one == 0 ? std::nullopt : near_fraction(one + q / one, most_below);
+    if (!sum || *sum * *sum * *sum != 3 * q * *sum + 2 * *a) return {};
+    const cln::cl_RA t = *sum;
     const Expr half = kernel::sqrt(Expr(t * t / 4 - q));
     return x->is_sum ? Expr(t / 2) + half : Expr(t / 2) - half;
   }
@@ -185,10 +204,12 @@ struct Roots {
         return;
   }
 };
-// 0 < e or 0 <= e of a quadratic polynomial: squares, one symbol after the other, and what is left.
-std::optional<Theorem> by_squares(Expr e) {
+// 0 < e or 0 <= e, of two terms by their squares, of a quadratic polynomial by others in it.
+std::optional<Theorem> by_squares(Expr e, const Theorems& facts) {
   for (bool strict : {true, false})
     if (const auto sign = algebra::sign_of(e, {}, strict)) return sign;
+  for (Expr more : e.op() == Op::Add && e.size() == 2 ? e.args() : Exprs())
+    if (const auto order = is_less(kernel::canonical(more - e), more, facts)) return order;
   for (Expr x : kernel::free_variables(e)) {
     const auto [a, b, c] = quadratic_in(e, x);
     const auto top = notation::rational_value(kernel::canonical(a));
@@ -196,7 +217,7 @@ std::optional<Theorem> by_squares(Expr e) {
     const Expr square = kernel::power(x + Expr(1 / (2 * *top)) * b, 2);
     const Expr others = kernel::canonical(e - Expr(*top) * square);
     if (kernel::free_variables(others).contains(x)) continue;
-    const auto rest = by_squares(others);
+    const auto rest = by_squares(others, {});
     if (!rest) continue;
     const bool is_strict = rest->conclusion().op() == Op::Lt;
     return algebra::linear(is_strict ? kernel::lt(0, e) : kernel::le(0, e),
@@ -270,14 +291,14 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
     const Expr goal = kernel::eq(named(left), named(right)), both = goal.arg(0) - goal.arg(1);
     Roots roots{Forms(narrowed(domain, needs))};
     Theorems& facts = roots.facts;
+    for (int pass = 0; pass < 2; ++pass)  // a sign found late names earlier terms anew
+      for (const Requirement& r : needs) is_proved([&] { return roots.forms.assume(r), true; });
+    for (const Requirement& r : needs)
+      if (!is_constant(r.term)) facts.push_back(kernel::assume(formula(r)));
     for (Expr e : parts_of(goal)) {
       if (e.op() != Op::Add) continue;
       for (Expr side : {e, kernel::canonical(-e)})
-        if (const auto sign = by_squares(side)) facts.push_back(*sign);
-    }
-    for (const Requirement& r : needs) {
-      is_proved([&] { return roots.forms.assume(r), true; });
-      if (!is_constant(r.term)) facts.push_back(kernel::assume(formula(r)));
+        if (const auto sign = by_squares(side, facts)) facts.push_back(*sign);
     }
     is_proved([&] { return roots.see(both), true; });
     if (!add_sines(both, roots)) return false;

@@ -17,20 +17,6 @@ cln::cl_RA size(const Point& point) {
   for (const auto& [x, q] : point) sum = sum + cln::abs(cln::numerator(q)) * cln::denominator(q);
   return sum;
 }
-std::string shown(Expr constant) {
-  auto exact = notation::rational_value(constant);
-  const Value value = value_at({}, constant);
-  if (!exact && value.ball) exact = near_fraction(value.ball->low(), largest_denominator);
-  const std::string digits = exact ? kernel::digits(*exact) : "";
-  if (exact && digits.size() <= longest_shown && exact_sign(constant - Expr(*exact)) == 0)
-    return digits;
-  for (int bits = 128; bits <= 8192; bits *= 2) {
-    const auto ball = value_at({}, constant, bits).ball;
-    if (!ball) continue;
-    if (const auto text = balls::decimal(ball->low(), ball->high(), digits_shown)) return *text;
-  }
-  return "too close to 0 to be shown";
-}
 class Question {
 public:
   Question(Expr the_left, Expr the_right, const Domain& the_domain, Wanted what)
@@ -106,8 +92,8 @@ private:
     verdict.answer = Answer::Different;
     verdict.proof = how;
     verdict.counterexample =
-        Counterexample{shown_point(point), shown(at(point, left)), shown(at(point, right)),
-                       shown(at(point, left - right))};
+        Counterexample{point, shown_point(point), shown_value(at(point, left)),
+                       shown_value(at(point, right)), shown_value(at(point, left - right))};
     return true;
   }
   bool is_different_somewhere() {
@@ -297,7 +283,6 @@ private:
     }
     return false;
   }
-  // What agrees to fifty digits may still differ.
   bool is_different_exactly() {
     for (std::size_t i = 0; i < std::min(common.size(), points_exactly); ++i)
       if (exact_sign(at(common[i], left - right)).value_or(0) != 0)
@@ -366,6 +351,20 @@ private:
 };
 }  // namespace
 
+std::string shown_value(Expr constant) {
+  auto exact = notation::rational_value(constant);
+  const Value value = value_at({}, constant);
+  if (!exact && value.ball) exact = near_fraction(value.ball->low(), largest_denominator);
+  const std::string digits = exact ? kernel::digits(*exact) : "";
+  if (exact && digits.size() <= longest_shown && exact_sign(constant - Expr(*exact)) == 0)
+    return digits;
+  for (int bits = 128; bits <= 8192; bits *= 2) {
+    const auto ball = value_at({}, constant, bits).ball;
+    if (!ball) continue;
+    if (const auto text = balls::decimal(ball->low(), ball->high(), digits_shown)) return *text;
+  }
+  return "too close to 0 to be shown";
+}
 Verdict decide(Expr left, Expr right, const Domain& domain, Wanted wanted) try {
   return Question(left, right, domain, wanted).answer();
 } catch (const NotDefined& none) {

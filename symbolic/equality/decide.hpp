@@ -82,10 +82,13 @@ struct Value {
 };
 Value value_at(const Point& point, Expr term, int bits = 192);
 
+std::string shown_value(Expr constant);  ///< "1/2", "0.7071067811865475"
+
 // Are two expressions equal over the reals, wherever both have a value? Never a guess.
 enum class Answer { Equal, Different, Undecided };
 
 struct Counterexample {
+  Point at;           ///< but for values that the domain gives
   std::string point;  ///< "alpha = 1/2, n = 3"; "" for constants
   std::string left;   ///< "1/2", "0.7071067811865475"
   std::string right;

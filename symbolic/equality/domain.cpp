@@ -47,7 +47,6 @@ std::vector<notation::Comparison> without_modulus(const notation::Comparison& c)
   const Expr inner = c.left.arg(0);
   return {{Expr(-1) * c.right, c.relation, inner}, {inner, c.relation, c.right}};
 }
-// 0 < x and x < y: 0 < y.
 void bound_by_others(Domain& domain) {
   for (std::size_t pass = 0; pass < domain.further.size(); ++pass)
     for (const auto& [left, relation, right] : domain.further) {

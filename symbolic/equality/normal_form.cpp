@@ -1,4 +1,3 @@
-// From terms to normal forms.
 #include "equality/normal_form.hpp"
 
 namespace equality {

@@ -17,7 +17,6 @@ using Exponent = kernel::Polynomial;
 using Product = std::map<Expr, Exponent>;   ///< atom -> exponent, which is not 0
 using Sum = std::map<Product, cln::cl_RA>;  ///< no coefficient is 0
 
-// The atoms of a normal form that stand for no symbol, and arithmetic.
 Expr circle();  ///< z, the point of the unit circle: z^u = cos(u) + i sin(u)
 inline Expr euler() { return notation::call("exp", 1); }
 inline Expr absolute(Expr e) { return notation::call("abs", e); }
@@ -66,14 +65,12 @@ int order_of(Expr root);
 
 /// All parts of a term, each once: inner ones first, itself the last.
 Exprs parts_of(Expr term);
-/// What a term needs to have a value.
 enum class Need { NotZero, NotNegative, Positive };
 struct Requirement {
   Need kind;
   Expr term;
   bool operator==(const Requirement&) const = default;
 };
-/// Of all its parts.
 std::vector<Requirement> requirements(Expr term, const Domain& domain);
 std::string text(const Requirement& r);  ///< "x - 1 != 0"
 /// "x >= 0 |- sqrt(x)^2 = x", which the kernel proves from what the terms need, what the domain

@@ -78,7 +78,6 @@ std::optional<Expr> zero_of(Expr term, Expr x) {
   return value;
 }
 
-// u, if e is f(u).
 std::optional<Expr> inverse(Expr e, Expr value) {
   static const std::map<std::string, std::string> inverses{{"exp", "log"},  {"log", "exp"},
                                                            {"sin", "asin"}, {"cos", "acos"},

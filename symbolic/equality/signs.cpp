@@ -6,7 +6,6 @@ namespace {
 constexpr int deepest = 8;
 constexpr int highest_power = 3000;
 constexpr int most_roots = 12;  // x^(1/12) is compared by its twelfth power
-// 2: positive, 1: not negative, 0: not known, -1 and -2 likewise.
 int product(int a, int b) {
   if (a == 0 || b == 0) return 0;
   const int size = std::min(std::abs(a), std::abs(b));

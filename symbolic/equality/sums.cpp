@@ -123,7 +123,6 @@ void Forms::reduce_modulus(Product& product, cln::cl_RA& number, Expr atom, cons
   number = number * cln::expt(conjugate.number, cln::numerator(constant_part(half)));
   for (const auto& [other, k] : conjugate.powers) multiply(product, other, k * half);
 }
-// z^pi is -1.
 void Forms::reduce_turns(Product& product, cln::cl_RA& number, const Exponent& e) const {
   for (const auto& [monomial, q] : Exponent(e)) {
     kernel::Monomial others = monomial;  // pi times an integer?
@@ -196,7 +195,6 @@ Expr Forms::expression(const Sum& sum) {
   }
   return terms.empty() ? Expr(0) : terms.size() == 1 ? terms[0] : kernel::sum(terms);
 }
-// The parts that are not real cancel.
 std::optional<Expr> Forms::real_expression(const Sum& sum) {
   if (conjugated(sum) != sum) return {};
   Exprs terms{0};

@@ -151,8 +151,9 @@ Expr raised_to(Expr base, Expr exponent, std::size_t column) {
   if (is_matrix(base) || is_matrix(exponent)) refuse_at(column, "a power of a matrix");
   const auto number = rational_value(exponent);
   if (!number) return raised(base, exponent);
-  if (bits(*number) > 40 || cln::abs(cln::numerator(*number)) > largest_exponent ||
-      cln::denominator(*number) > 1000)
+  if (cln::denominator(*number) > 1000)
+    refuse_at(column, "an exponent that is a fraction with a denominator above 1000");
+  if (cln::abs(cln::numerator(*number)) > largest_exponent)
     refuse_at(column, "an exponent with a number above 10000");
   const int above = cln::cl_I_to_int(cln::numerator(*number));
   const int below = cln::cl_I_to_int(cln::denominator(*number));

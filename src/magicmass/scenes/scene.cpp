@@ -82,7 +82,8 @@ std::string meant(const std::string& name, const std::vector<std::string>& names
     const auto [to, end] = std::mismatch(name.rbegin(), std::make_reverse_iterator(from),
                                          other.rbegin(), std::make_reverse_iterator(begin));
     const auto letters = std::max(to.base() - from, end.base() - begin);
-    if (letters <= 2 && 2 * letters < std::ssize(other)) return "; is " + other + " meant?";
+    const bool are_few = letters <= 2 || to.base() == from;
+    if (are_few && 2 * letters < std::ssize(other)) return "; is " + other + " meant?";
   }
   return otherwise;
 }

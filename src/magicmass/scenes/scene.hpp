@@ -150,8 +150,8 @@ simulator::Line<Scalar> line_of(const Scene& scene);
 /// Throws InvalidInput with the place of a key.
 [[noreturn]] void refuse_key(const Scene& scene, const std::string& key, const std::string& what,
                              std::string_view allowed);
-/// "; is gap meant?" of gpa: all but one or two neighbouring letters, fewer than half, are the same
-/// in one of the names; otherwise that.
+/// "; is gap meant?" of gpa: all but one or two neighbouring letters, or any that were left out,
+/// fewer than half, are the same in one of the names; otherwise that.
 std::string meant(const std::string& name, const std::vector<std::string>& names,
                   const std::string& otherwise = "");
 
