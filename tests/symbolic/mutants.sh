@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Bends each rule of a room of symbolic/ as its mutants.txt says, and drops each guard in turn: the
-# tests must turn red. usage: mutants.sh ROOM SECONDS SOURCE_DIR COMPILER OPTIMIZATION
-# TEST_OBJECT_OR_LIBRARY...
+# tests must turn red.
+# usage: mutants.sh ROOM SECONDS SOURCE_DIR COMPILER OPTIMIZATION TEST_OBJECT_OR_LIBRARY...
 set -euo pipefail
 export room=$3/symbolic/$1 list=$3/tests/symbolic/$1/mutants.txt
 export seconds=$2 source=$3 compiler=$4 optimization=$5

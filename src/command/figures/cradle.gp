@@ -1,9 +1,11 @@
-# Places of blocks and balls against time; columns t, then x_A1, x_C1, x_A2 to x_A5: a row a
-# collision. title The generalised Newton's cradle in space and time description Places over time of
-# five equal blocks (solid) and four balls between them (dashed), of description mass ratios alpha_1
-# to alpha_4, before a wall at the top. The k-th ball bounces k description times between its
-# blocks, then rests, and the next block has the whole momentum; the description fifth block meets
-# the wall and all happens again the other way round. size 600 640
+# Places of blocks and balls against time, a row a collision; columns t, then x_A1, x_C1, x_A2 to
+# x_A5.
+# title The generalised Newton's cradle in space and time
+# description Places over time of five equal blocks (solid) and four balls between them (dashed), of
+# description mass ratios alpha_1 to alpha_4, before a wall at the top. The k-th ball bounces k
+# description times between its blocks, then rests, and the next block has the whole momentum; the
+# description fifth block meets the wall and all happens again the other way round.
+# size 600 640
 set xrange [-1:19]
 set yrange [-1.3:8.4]
 set xlabel 't / (L/V)'

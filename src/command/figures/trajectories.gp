@@ -1,8 +1,11 @@
-# Places of A, C and B against time, three panels; columns panel, t, x_A, x_C, x_B: a row a
-# collision. title Trajectories of A, B and C description Three panels, place over time: A from
-# below and B above (solid), C between them description (dashed). (a) At the magic ratio alpha_3 A
-# and C stop and B leaves with all. (b) At description alpha = 0.12 all go on moving after three
-# collisions each. (c) At alpha = 0.10 A meets description C a fourth time. size 600 900
+# Places of A, C and B against time, three panels, a row a collision; columns panel, t, x_A, x_C,
+# x_B.
+# title Trajectories of A, B and C
+# description Three panels, place over time: A from below and B above (solid), C between them
+# description (dashed). (a) At the magic ratio alpha_3 A and C stop and B leaves with all. (b) At
+# description alpha = 0.12 all go on moving after three collisions each. (c) At alpha = 0.10 A meets
+# description C a fourth time.
+# size 600 900
 set xrange [-1:5]
 set yrange [-1.3:5.3]
 set ytics 1 nomirror

@@ -1,8 +1,9 @@
 # A block, a ball and a wall: places against time; columns t, x_block, x_ball: a row a collision.
-# title The way of a block that a ball turns back description The block comes in on a straight line,
-# slows down, turns round smoothly close to the description wall without touching it, and leaves on
-# a straight line as fast as it came, a dot description at each collision; the light ball (dashed)
-# zigzags between block and wall. The wall is the thick line at the top.
+# title The way of a block that a ball turns back
+# description The block comes in on a straight line, slows down, turns round smoothly close to the
+# description wall without touching it, and leaves on a straight line as fast as it came, a dot
+# description at each collision; the light ball (dashed) zigzags between block and wall. The wall is
+# description the thick line at the top.
 set xrange [0:2]
 set yrange [0:1.05]
 set xlabel 't / (L/V)'

@@ -1,9 +1,11 @@
-# Collisions in the unfolded wedge; columns collision, t, s, angle: a row a collision, in their
-# order. title The collisions as a straight line through the unfolded wedge description A fan of
-# rays from one point, each turned by psi/2 from the one before: mirror images description of the
-# wedge (grey) of all places. Solid rays are collisions of A and C, dashed ones description of C and
-# B; the distance from the tip is that of A and B. At alpha_3 the six description collisions P_1,
-# Q_1 to Q_3 (dots) lie on one straight line. size 600 360
+# Collisions in the unfolded wedge, a row a collision, in their order; columns collision, t, s,
+# angle.
+# title The collisions as a straight line through the unfolded wedge
+# description A fan of rays from one point, each turned by psi/2 from the one before: mirror images
+# description of the wedge (grey) of all places. Solid rays are collisions of A and C, dashed ones
+# description of C and B; the distance from the tip is that of A and B. At alpha_3 the six
+# description collisions P_1, Q_1 to Q_3 (dots) lie on one straight line.
+# size 600 360
 unset key
 unset border
 unset tics
