@@ -15,7 +15,7 @@ Cell counterexample_cell(const equality::Verdict& verdict) {
                                 {"right", text_cell(right)},
                                 {"difference", text_cell(difference)}});
   return {(point.empty() ? "" : "at " + point + ": ") + left + " and " + right + ", apart by " +
-              difference,
+              difference.substr(difference.starts_with('-') ? 1 : 0),
           all.json};
 }
 

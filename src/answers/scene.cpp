@@ -54,7 +54,7 @@ Fields status_fields(const Result& result) {
 
 /// Text leaves out what is not there; all else has one shape for every model.
 Table shown_in(Format format, Fields fields) {
-  const auto is_missing = [](const auto& field) { return field.second.json == "null"; };
+  const auto is_missing = [](const auto& field) { return field.second.text.empty(); };
   if (format == Format::text) std::erase_if(fields, is_missing);
   return one_row(fields);
 }

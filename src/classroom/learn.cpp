@@ -134,8 +134,10 @@ std::vector<Exercise> exercises(const std::string& place, std::size_t variant) {
       if (name.find("/exercises/") != name.npos && name.ends_with(".toml")) texts[name] = text;
   } else if (std::filesystem::is_directory(place)) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
-      if (entry.path().extension() == ".toml" && entry.path().parent_path().filename() != "scenes")
-        texts.emplace(entry.path(), text_of(entry.path()));
+      if (entry.path().extension() == ".toml")
+        if (const std::string text = "\n" + text_of(entry.path());
+            text.find("\nid") != text.npos || text.find("\nprompt") != text.npos)  // not scenes
+          texts.emplace(entry.path(), text.substr(1));
   } else {
     texts.emplace(place, text_of(place));
   }

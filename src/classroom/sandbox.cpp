@@ -65,7 +65,7 @@ std::string why_stopped(const End& end) {
                              end.errors.find("length_error") != end.errors.npos;
   if (end.is_late)
     return "it did not come to an end within " + std::to_string(run_seconds) +
-           " s: is there a loop that never stops?";
+           " s: are there too many steps, or a loop that never stops?";
   if (had_no_memory) return "it asked for more memory than the 512 MiB that it may have";
   const std::string crashed =
       "it crashed: it used memory that is not its own, or called itself without end";

@@ -123,7 +123,7 @@ std::string difference(const Exercise& e, const Cases& cases, const Rows& rows) 
         error = cln::double_approx(cln::abs(balls::exact(got) - cases.expected[i][k]));
       if (error <= within.ulps * ulp || error <= within.absolute) continue;
       const cl_RA gap = error < 1e-6 * size ? balls::exact(error) : 0;
-      const std::string off = within.ulps > 0 ? text_of(std::round(error / ulp)) + " ulp"
+      const std::string off = within.ulps > 0 ? text_of(std::ceil(10 * error / ulp) / 10) + " ulp"
                                               : balls::decimal(gap, gap, 2).value();
       return place(e, i) + "your " + e.words[k] + " is " + text_of(got) + "; it should be " +
              text_of(nearest) +

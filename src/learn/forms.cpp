@@ -61,12 +61,17 @@ std::pair<Expr, Expr> one_fraction(Expr e) {
   return {all_over, all_under};
 }
 
-/// Whether a sum is a product: x*y + x, x^2 + 2*x + 1, 1/x + 2 + x, but not 1 - x^2 or 1/x + 1/y.
+/// Whether a sum is a product: x*y + x, x^2 + 2*x + 1, 1/x + 2 + x, of factors with other symbols,
+/// but not 1 - x^2 or 1/x + 1/y.
 bool hides_product(Expr e, const equality::Domain&) {
   if (e.op() != Op::Add) return false;
   const Polynomial terms = polynomial(one_fraction(e).first);
-  for (const auto& [factor, times] : equality::factorized(terms))
+  std::set<std::set<std::string>> symbols;
+  for (const auto& [factor, times] : equality::factorized(terms)) {
     if (times > 1 || (factor.size() == 1 && !factor.begin()->first.empty())) return true;
+    if (factor.size() > 1) symbols.insert(notation::symbols_of(expression(factor)));
+  }
+  if (symbols.size() > 1) return true;
   cln::cl_I common = 0;
   for (const auto& [monomial, q] : terms) common = cln::gcd(common, cln::numerator(q));
   return common > 1;

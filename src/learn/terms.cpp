@@ -49,7 +49,9 @@ std::string difference(const equality::Counterexample& c, const std::string& whe
   const std::size_t slash = std::min(c.difference.find('/'), c.difference.size());
   const bool is_close = is_small || c.difference.size() > 2 * slash + 6;
   return "At " + c.point + where + " yours is " + shown(c.left) + "; it should be " +
-         shown(c.right) + (is_close ? ", apart by " + c.difference + "." : ".");
+         shown(c.right) +
+         (is_close ? ", apart by " + c.difference.substr(c.difference[0] == '-' ? 1 : 0) + "."
+                   : ".");
 }
 
 /// " at alpha = 1: why": yours has no value at more than one in `share` points, the answer has.
@@ -134,7 +136,9 @@ Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
     if (full.ends_with("_" + index)) full.replace(full.size() - index.size(), index.size(), value);
   for (const auto& [left, right] : {std::pair{read.term, read.right}, {read.right, read.term}})
     if (left == name || (!full.empty() && notation::name_of(left) == full)) return right;
-  kernel::refuse("neither side of this equation is " + exercise.name + ", which is asked for");
+  kernel::refuse("neither side of this equation is " + exercise.name +
+                 ", which is asked for; write " + exercise.name +
+                 " = ..., or the expression alone");
 }
 
 Expr Terms::content(const std::string& text) const {

@@ -148,6 +148,7 @@ void two_collisions(Book& book, Names& f) {
 /// Where collisions never end: when that is over, and what B has then.
 void collapse_forms(Book& book, Names f, const Theorem& all, const Theorem& rise) {
   const Known here;
+  const Names any = f;
   Names of_x = f;
   of_x.params.push_back(x);
   const Theorem taken = f.name("taken_any", 1 / left(all), "Where collisions never end, with");
@@ -159,21 +160,27 @@ void collapse_forms(Book& book, Names f, const Theorem& all, const Theorem& rise
   know(assume(lt(e, 1)));
   const Theorem filled = f.name("filled_e", of_e("rise_e") / power(1 - e, 2), "With");
   const Theorem room = f.name("room_e", 1 - of_e("filled_e"));
-  know(assume(lt(0, of_e("room_e"))));
-  f.domain.push_back(lt(0, of_e("room_e")));
-  const Theorem spread = f.positive("spread_e", (1 - e) * sqrt(of_e("room_e")));
+  know(assume(le(0, of_e("room_e"))));
+  f.domain.push_back(le(0, of_e("room_e")));
+  const Theorem spread = f.name("spread_e", (1 - e) * sqrt(of_e("room_e")));
+  know(linear(le(0, left(spread)), {spread, not_negative(right(spread))}));
   const Theorem A_share = at_1(book["wedge.r_A"]), B_share = at_1(book["wedge.r_B"]);
   const Theorem kappa_is = at_1(book["wedge.kappa"]);
   const Expr S = left(spread), excess = S * left(A_share) * left(B_share) / (2 * sqrt(e));
   const Theorems shares{kappa_is, A_share, B_share, spread, room, filled, rise, all};
   const Theorem square = equation(power(left(kappa_is), 2), 1 + power(excess, 2), shares);
   know(by_powers(le(1, left(kappa_is)), 2,
-                 {square, positive(kappa_is), positive(power(excess, 2))}));
+                 {square, positive(kappa_is), not_negative(power(excess, 2))}));
   const Theorem t_end = at(book["places.def_t_end"], {{M_A, 1}, {j, 0}});
   const Theorem root = root_is(power(left(kappa_is), 2) - 1, excess, {square});
-  book.show("t_end", "they come as close as you like to the time",
-            equation(left(t_end), 2 * (1 + M_C) / (1 + e + S) * (L / V),
-                     Theorems{t_end, at_1(book["collapse.y_e"]), root} + shares));
+  const Theorem is =
+      book.show("t_end", "they come as close as you like to the time",
+                equation(left(t_end), 2 * (1 + M_C) / (1 + e + S) * (L / V),
+                         Theorems{t_end, at_1(book["collapse.y_e"]), root} + shares));
+  const Theorem edge = any.name("edge_e", 2 * (1 + M_C) / (1 + e), "which is, with");
+  const Theorem none = root_is(left(room), 0, {assume(eq(left(room), 0))});
+  book.show("edge", "just where they begin not to end,",
+            equation(left(t_end), left(edge) * (L / V), {is, edge, spread, none}));
   const Theorem closing = of_x.name(
       "closing_e", e * (1 + w_B * M_C) * power(x, 2) - (1 + e) * x + (1 + M_C), "in L/V a zero of");
   const Theorem at_end = at(closing, {{x, 2 * (1 + M_C) / (1 + e + S)}});

@@ -125,7 +125,8 @@ Expr sum_of(const Exprs& terms, std::size_t column) {
   const Expr first = terms[0];
   std::vector<Exprs> parts(first.size());
   for (Expr e : terms) {
-    if (is_matrix(e) != is_matrix(first)) refuse_at(column, "a matrix and number cannot be added");
+    if (is_matrix(e) != is_matrix(first))
+      refuse_at(column, "a matrix and a number cannot be added");
     if (e.rows() != first.rows() || e.cols() != first.cols())
       refuse_at(column, "matrices of different shapes");
     for (std::size_t i = 0; i < parts.size(); ++i) parts[i].push_back(e.arg(i));

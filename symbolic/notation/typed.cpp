@@ -272,7 +272,8 @@ private:
     const std::size_t from = place;
     const bool is_half = is("(") && words[from + 1].quoted.empty();
     const bool is_bracket = !is_half && now().kind == Kind::Sign && !is("|");
-    const bool is_term = now().kind == Kind::Command || is("|") || is_call(now());
+    const bool is_of_call = is_call(now()) || now().text == "sqrt";
+    const bool is_term = now().kind == Kind::Command || is("|") || is_of_call;
     const bool is_root = token.text == "sqrt" || token.text == "cbrt";
     const std::string& f = token.quoted;
     if (!starts_factor() && !is("|")) refuse_here("a ( is missing after " + f);
@@ -293,8 +294,9 @@ private:
     const bool is_alone = token.is_latex && !(is_number && place == first);
     const bool is_product = is("*") && !is_alone && !is_call(words[place + 1]);
     const bool goes_on = !is_root && (is("/") || is_product);
-    const bool has_factor = starts_factor() && !is_call(now());
-    if (is("^") || ((goes_on || has_factor) && (!is_term || is_fraction)))
+    const bool is_root_next = is_of_call && now().text == "sqrt";  // arctan √m √M
+    const bool has_factor = starts_factor() && (!is_call(now()) || is_root_next);
+    if (is("^") || ((goes_on || has_factor) && (!is_term || is_of_call || is_fraction)))
       refuse_here(f + " " + more + "... has two readings: write " + f + "(" + more + "...) or " +
                   f + "(" + taken + ")" + now().quoted + "...");
     if (words[from].text == "frac" && has_factor)  // \sin\frac{x}{2}y

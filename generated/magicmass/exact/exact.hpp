@@ -116,15 +116,18 @@ TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number&
   const Number rho_two = w_B * (taken_two * taken_two);  // rho_two = w_B*taken_two^2
   return {ends, two, four, six, a_two, b_two, c_two, rho_two};
 }
-template <class Number> struct ClosingExact { Number closing_e; };
-/// closing (eq:inelastic): closing_e. Domain: M_C > 0, w_B >= 0, e > 0, x >= 0. Theorems:
-///   evaluators_restitution.def_closing_e. Operations: products: 5, sums: 5.
+template <class Number> struct ClosingExact { Number closing_e, edge_e; };
+/// closing (eq:inelastic): closing_e, edge_e. Domain: M_C > 0, w_B >= 0, e > 0, x >= 0. Theorems:
+///   evaluators_restitution.def_closing_e, def_edge_e. Operations: products: 6, quotients: 1, sums:
+///   5.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 ClosingExact<Number> closing_exact(const Number& M_C, const Number& w_B, const Number& e, const
     Number& x) {
+  const Number t6 = Number(1) + e;  // for closing_e, edge_e
+  const Number t9 = Number(1) + M_C;  // for closing_e, edge_e
   // closing_e(x) = e*(1 + w_B*M_C)*x^2 - (1 + e)*x + (1 + M_C)
-  const Number closing_e = e * (Number(1) + w_B * M_C) * (x * x) - (Number(1) + e) * x + (Number(1)
-      + M_C);
-  return {closing_e};
+  const Number closing_e = e * (Number(1) + w_B * M_C) * (x * x) - t6 * x + t9;
+  const Number edge_e = Number(2) * t9 / t6;  // edge_e = 2*(1 + M_C)/(1 + e)
+  return {closing_e, edge_e};
 }
 }  // namespace magicmass::generated

@@ -25,10 +25,11 @@ std::optional<Terminal> terminal(double alpha);
 /// t_j and s_j, units L/V and L, for any double alpha > 0 and j from 0 to N_A + N_B - 1 (j = 0: 0
 /// and 1), else throws InvalidInput.
 Collision collision(double alpha, std::int64_t j);
-/// Where collisions with restitution e, 0 < e <= 1, never end; nullopt: they do, which is decided
-/// exactly. A time above the largest double is infinite. InvalidInput unless m and w, those of
-/// `masses`, are finite, m positive and w not negative. Throws Undecided where 1 - 4 e m (1 + w +
-/// w m)/(1 - e)^2, which is 0 where collapse begins, is not below 0 and below 2^-80.
+/// The end of infinitely many collisions with restitution e, 0 < e <= 1; nullopt if they end, which
+/// is decided exactly. A time above the largest double is infinite. InvalidInput unless m and w,
+/// `ball` and `per_B` of the masses, are finite, m positive and w not negative. Throws Undecided
+/// where 1 - 4 e m (1 + w + w m)/(1 - e)^2, which is 0 where collapse begins, is above 0 and below
+/// 2^-80.
 std::optional<Collapse> collapse(const Masses& masses, double e);
 /// The same of equal blocks, m = alpha and w = 1.
 std::optional<Collapse> collapse(double alpha, double e);

@@ -133,9 +133,12 @@ std::optional<Terminal> fast::terminal(double alpha, double e) {
 std::optional<Terminal> fast::terminal(const Masses& masses, double e) {
   numbers::check(masses, e);
   Terminal t;
-  const bool ends =
-      numbers::kernels().restitution(t, masses, e) || numbers::restitution_by_mpfr(t, masses, e);
-  return ends ? std::optional(t) : std::nullopt;
+  Collapse endless;  // or else, but where it is near, MPFR alone would know
+  if (numbers::kernels().restitution(t, masses, e)) return t;
+  if (!numbers::kernels().collapse(endless, masses, e) &&
+      numbers::restitution_by_mpfr(t, masses, e))
+    return t;
+  return std::nullopt;
 }
 std::optional<Collapse> accurate::collapse(double alpha, double e) {
   numbers::check(alpha);
@@ -144,7 +147,9 @@ std::optional<Collapse> accurate::collapse(double alpha, double e) {
 std::optional<Collapse> accurate::collapse(const Masses& masses, double e) {
   numbers::check(masses, e);
   Collapse c;
-  if (numbers::kernels().collapse(c, masses, e) || numbers::collapse_by_mpfr(c, masses, e))
+  Terminal ended;
+  if (numbers::kernels().collapse(c, masses, e)) return c;
+  if (!numbers::kernels().restitution(ended, masses, e) && numbers::collapse_by_mpfr(c, masses, e))
     return c;
   return std::nullopt;
 }

@@ -42,7 +42,8 @@ struct Collision {
   double s = 0;
   friend bool operator==(const Collision&, const Collision&) = default;
 };
-/// The end of infinitely many collisions, t as above; all have the velocity v then, B rho as above.
+/// The end of infinitely many collisions at t, as above: all three then move with velocity v, and B
+/// has the share rho of the energy.
 struct Collapse {
   double t = 0, v = 0, rho = 0;
 };

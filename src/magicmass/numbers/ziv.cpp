@@ -29,6 +29,7 @@
 //   p^2 is odd, so 2^(2m+1) = p^2 +- 1: p^2 + 1 is 2 mod 8, and (p - 1)(p + 1) such a power for
 //   p = 3 alone: alpha = 1/2, where only j <= 2 take place.
 //  Collapse: t is a zero of a quadratic, which the middle of two doubles may be, too: it is tried.
+//   Just where collisions begin to end t is rational: a quotient of numbers of some 1100 bits.
 //   v = w/D and rho = w/D^2, D = 1 + w (1 + m). With w = o/2^q and D = N/2^r, o and N odd, they are
 //   dyadic only where N divides o, and have no more bits than o, 53: between doubles they are if
 //   subnormal. But o (1 + m)/2^q = N/2^r - 1 gives the lowest bit of 1 + m, and m has 53: for each
@@ -161,18 +162,21 @@ bool collapse_by_mpfr(Collapse& result, const Masses& masses, double e) {
   const AllExponents here;
   MpfrFloat::bits = last_bits;
   const double M_C = masses.ball, w_B = masses.per_B;
-  if (generated::two_collisions_exact<MpfrFloat>(M_C, w_B, e).ends.is_positive()) return false;
+  const MpfrFloat ends = generated::two_collisions_exact<MpfrFloat>(M_C, w_B, e).ends;
+  if (ends.is_positive()) return false;
+  std::optional<double> t;  // where no rounding test would find it; v and rho know nothing of e
+  if (ends.is_zero()) t = rounded(generated::closing_exact<MpfrFloat>(M_C, w_B, e, ends).edge_e);
   generated::CollapseOutputs near{};
   attempt<generated::Collapse, MpfrFloat>({M_C, w_B, e}, near);
   for (const double to : {0.0, DBL_MAX}) {
-    const double t = near.t_end, other = std::nextafter(t, to);
-    const MpfrFloat middle = scaled(MpfrFloat(t) + MpfrFloat(other), 0.5);
-    if (!generated::closing_exact<MpfrFloat>(M_C, w_B, e, middle).closing_e.is_zero()) continue;
-    settle<generated::Collapse>(result, "collapse", false, M_C, w_B, std::nextafter(e, 0.0));
-    result.t = std::bit_cast<std::uint64_t>(t) % 2 == 0 ? t : other;
-    return true;
+    const double one = near.t_end, other = std::nextafter(one, to);
+    const MpfrFloat middle = scaled(MpfrFloat(one) + MpfrFloat(other), 0.5);
+    if (generated::closing_exact<MpfrFloat>(M_C, w_B, e, middle).closing_e.is_zero())
+      t = std::bit_cast<std::uint64_t>(one) % 2 == 0 ? one : other;
   }
-  return settle<generated::Collapse>(result, "collapse", false, M_C, w_B, e);
+  settle<generated::Collapse>(result, "collapse", false, M_C, w_B, t ? std::nextafter(e, 0.0) : e);
+  if (t) result.t = *t;
+  return true;
 }
 bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j) {
   return settle<generated::Collision>(result, "a collision", false, alpha, j);

@@ -264,7 +264,8 @@ void check_meaning(const Scene& scene) {
                                               : simulator::fault(line_of<double>(scene));
   if (!found) return;
   for (const char* key : {"alpha", "mass_ratio", "balls"})
-    if (found->key == "masses" && scene.has(key)) refuse_key(scene, key, "not above 0", "above 0");
+    if (found->key == "masses" && scene.has(key))
+      refuse_key(scene, key, "0 or less as a double", "above 0; below 5e-324 as a fraction");
   refuse_key(scene, found->key, found->what, found->allowed);
 }
 

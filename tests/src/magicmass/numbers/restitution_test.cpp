@@ -160,7 +160,10 @@ TEST_CASE("whether collisions never end is exact, and what they come to correctl
     CHECK(accurate::collapse({ball, 0}, e)->t == 1);
     CHECK(accurate::collapse({std::nextafter(ball, 1), 0}, e)->t > 1);
   }
-  CHECK_THROWS_WITH(accurate::collapse(0.25, 0.25), ContainsSubstring("still open"));
+  for (const auto& [m, w, e, t] : {std::array{0.25, 1.0, 0.25, 2.0}, {0.125, 0, 0.5, 1.5}})
+    CHECK(accurate::collapse(Masses{m, w}, e)->t == t);  // just where collapse begins
+  CHECK_THROWS_WITH(accurate::collapse({0x1.0000000000002p-104, 0}, 0x1.ffffffffffffcp-1),
+                    ContainsSubstring("still open"));
 }
 
 TEST_CASE("whole angles, collapse, digits of pi and refusals are as in restitution.tsv") {
