@@ -4,8 +4,7 @@
 
 namespace algebra {
 namespace {
-using cln::cl_RA;
-using Multiples = std::vector<cl_RA>;
+using Multiples = std::vector<cln::cl_RA>;
 
 class AngleSums {
 public:

@@ -110,9 +110,8 @@ Factored factored(const ex& e, const Translation& translation) {
     out.number = out.number * cln::expt(content, exponent);
     if (p.size() > 1 || !p.begin()->first.empty()) out.factors.emplace_back(p, exponent);
   }
-  std::sort(out.factors.begin(), out.factors.end(), [](const auto& a, const auto& b) {
-    return std::pair(a.first.size(), a.first.begin()->first) <
-           std::pair(b.first.size(), b.first.begin()->first);
+  std::ranges::sort(out.factors, {}, [](const auto& factor) {
+    return std::pair(factor.first.size(), factor.first.begin()->first);
   });
   return out;
 }

@@ -31,8 +31,7 @@ Row combined(const Row& a, const cl_RA& x, const Row& b, const cl_RA& y) {
 void eliminate_equations(std::vector<Row>& equations, std::vector<Row>& inequalities) {
   for (std::size_t i = 0; i < equations.size(); ++i) {
     const Row e = equations[i];
-    const auto lead =
-        std::find_if(e.p.begin(), e.p.end(), [](const auto& term) { return !term.first.empty(); });
+    const auto lead = std::ranges::find_if(e.p, [](const auto& t) { return !t.first.empty(); });
     if (lead == e.p.end()) continue;
     const auto take_out = [&](Row& row) {
       const cl_RA q = row.coefficient(lead->first);
@@ -54,8 +53,7 @@ bool eliminate_unknown(std::vector<Row>& rows) {
       if (!m.empty()) ++(q > 0 ? signs[m].first : signs[m].second);
   if (signs.empty()) return false;
   const auto product = [](const auto& entry) { return entry.second.first * entry.second.second; };
-  const auto best = std::ranges::min_element(
-      signs, [&](const auto& a, const auto& b) { return product(a) < product(b); });
+  const auto best = std::ranges::min_element(signs, {}, product);
   const Monomial unknown = best->first;
   std::vector<Row> rest, above, below;
   for (const Row& row : rows) {

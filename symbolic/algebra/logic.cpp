@@ -51,8 +51,7 @@ Theorem at(const Theorem& rule, const Substitution& terms, const Theorems& facts
   Theorem t = terms.empty() ? rule : instantiate(rule, terms);
   const Theorems given = parts(facts);
   const auto proof = [&](Expr f) {
-    const auto it = std::find_if(given.begin(), given.end(),
-                                 [&](const Theorem& g) { return g.conclusion() == f; });
+    const auto it = std::ranges::find_if(given, [&](const auto& g) { return g.conclusion() == f; });
     return it == given.end() ? linear(f, given) : *it;
   };
   for (const Expr& h : t.hypotheses())

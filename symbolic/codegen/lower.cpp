@@ -144,9 +144,7 @@ Program lower(const Quantity& quantity, const Case& which, Numbers numbers) try 
   for (const Theorem& t : which.definitions) reader.define(t);
   for (const Theorem& t : which.outputs) reader.output(t);
   reader.check_all_used();
-  std::vector<Result>& results = reader.program.results;
-  std::stable_sort(results.begin(), results.end(),
-                   [](const Result& x, const Result& y) { return x.kind < y.kind; });
+  std::ranges::stable_sort(reader.program.results, {}, &Result::kind);
   return named(in_stages(without_dead_code(reader.program)));
 } catch (const Refused& why) {
   throw Refused(quantity.name + ", " + which.name + ": " + why.what());
