@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iterator>
 #include <sstream>
-#include <string>
 #include <vector>
 
 #include "catch.hpp"

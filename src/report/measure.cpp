@@ -148,7 +148,7 @@ std::vector<Times> timed(const std::vector<Pair>& pairs, const Rounds& rounds) {
 std::vector<Measurement> measure(const Plan& plan) {
   std::vector<Measurement> all;
   std::vector<Pair> pairs;
-  for (const auto& [quantity, name] : quantities) {
+  for (const auto& [quantity, name] : quantities)
     for (const Family& family : families()) {
       std::vector<Truth> samples;  // made when the first implementation asks for them
       const Implementation* naive = nullptr;
@@ -173,7 +173,6 @@ std::vector<Measurement> measure(const Plan& plan) {
         if (plan.rounds.count > 0) pairs.push_back(paired(*naive, one, inputs));
       }
     }
-  }
   const std::vector<Times> times = timed(pairs, plan.rounds);
   for (std::size_t i = 0; i < times.size(); ++i) all[i].times = times[i];
   return all;

@@ -1,5 +1,4 @@
 // Terms into nodes: fractions, powers of two, ceilings.
-#include <algorithm>
 
 #include "codegen/lower.hpp"
 

@@ -47,16 +47,14 @@ std::string Script::tautology(const Theorem& t, const Context& c) {
     arguments += " " + gallina(f);
     if (is_matrix_equation(f)) bridge(f, by_entries(f), "", same_entries(f, {}));
   }
-  for (const auto& [form, alike] : parts.alike) {
-    for (Expr f : alike) {
+  for (const auto& [form, alike] : parts.alike)
+    for (Expr f : alike)
       if (f.op() == Op::Le) {
         const std::string proof = same(kernel::lt(f.arg(1), f.arg(0)), form, {});
         bridge(f, form, "~ ", "(iff_trans (not_lt _ _) (same_not _ _ " + proof + "))");
       } else if (!(f == form)) {
         bridge(f, form, "", same(f, form, {}));
       }
-    }
-  }
   for (const Theorem& p : t.step().premises) {
     statement += gallina(p.conclusion(), {}, parts.names) + " -> ";
     proofs += " " + applied(p, c);

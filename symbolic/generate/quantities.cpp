@@ -50,7 +50,7 @@ public:
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
       std::istringstream in(line.substr(0, line.find('#')));
-      for (std::string word; in >> word;) {
+      for (std::string word; in >> word;)
         if (word.ends_with(":")) {
           take_entry();
           entry = word;
@@ -60,7 +60,6 @@ public:
         } else {
           words.push_back(word);
         }
-      }
     }
     take_entry();
   }

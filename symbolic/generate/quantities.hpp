@@ -1,8 +1,5 @@
 // All that is generated: which theorems, on which intervals; quantities.txt says so.
 #pragma once
-#include <set>
-#include <string>
-#include <vector>
 
 #include "codegen/emit.hpp"
 #include "generate/tree.hpp"

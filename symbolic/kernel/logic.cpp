@@ -1,5 +1,4 @@
 // The rules of logic. Above each stands why it is sound.
-#include <algorithm>
 
 #include "kernel/polynomial.hpp"
 #include "kernel/theorem.hpp"

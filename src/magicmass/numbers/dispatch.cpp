@@ -33,9 +33,8 @@ const Target targets[] = {
     {&baseline::table, [] { return true; }}};
 }  // namespace
 const Kernels* kernels_named(const char* name) {
-  for (const Target& t : targets) {
+  for (const Target& t : targets)
     if (std::strcmp(t.table->name, name) == 0 && t.runs()) return t.table;
-  }
   return nullptr;
 }
 void check_arithmetic() {

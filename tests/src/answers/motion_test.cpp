@@ -137,7 +137,7 @@ TEST_CASE("any masses, a wall, many collisions: the evaluator says what scenes s
   CHECK(ended > 150);
 }
 TEST_CASE("each ratio is a root of its polynomial, and no other one is") {
-  for (int k = 1; k <= 200; ++k) {
+  for (int k = 1; k <= 200; ++k)
     for (const bool is_magic : {true, false}) {
       CAPTURE(k, is_magic);
       const Polynomial p = polynomial_of_ratio(k, is_magic);
@@ -150,7 +150,6 @@ TEST_CASE("each ratio is a root of its polynomial, and no other one is") {
       for (int i = 1, m = 4 * k + (is_magic ? 2 : 4); i <= m; ++i) coprime += std::gcd(i, m) == 1;
       CHECK(2 * (p.size() - 1) == coprime);
     }
-  }
 }
 TEST_CASE("a proof that fails is counted, and said beside the counts") {
   const kernel::Theorems shown{kernel::assume(kernel::eq(1, 1))};

@@ -1,6 +1,5 @@
 // A chapter becomes a page; what would drift from the program or the proofs is refused.
 #include "answers/derivation.hpp"
-#include "catch.hpp"
 #include "course/chapter.hpp"
 #include "refusal.hpp"
 #include "rows.hpp"

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "answers/errors.hpp"
-#include "catch.hpp"
 #include "classroom/classroom.hpp"
 #include "learn/exercise.hpp"
 #include "magicmass/scenes/files.hpp"

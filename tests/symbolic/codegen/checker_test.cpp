@@ -25,9 +25,8 @@ struct Bound {
   /// With the sizes of values at a point; an unnamed one is a share of the value's own.
   double evaluated(const auto& values, double own) const {
     std::istringstream words(text + " +");
-    double sum = 0;
-    double product = 1;
-    for (std::string word; words >> word;) {
+    double sum = 0, product = 1;
+    for (std::string word; words >> word;)
       if (word == "+") {
         sum += product;
         product = 1;
@@ -37,7 +36,6 @@ struct Bound {
         const auto found = values.find(word.substr(1, word.size() - 2));
         product *= found == values.end() ? own * share : found->second.size;
       }
-    }
     return sum;
   }
 };

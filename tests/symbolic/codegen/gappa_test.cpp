@@ -12,7 +12,6 @@
 #include <sstream>
 
 #include "catch.hpp"
-#include "codegen/exact.hpp"
 #include "codegen/operations.hpp"
 
 namespace {
@@ -173,7 +172,7 @@ void check_entry(double entry, double proved) {
 }  // namespace
 
 TEST_CASE("Gappa proves what each operation loses and leaves, and not half of it") {
-  for (const double l : {u, 16 * u}) {
+  for (const double l : {u, 16 * u})
     for (const Operation& o : operations(l)) {
       INFO(o.name << ", low parts " << l);
       const Bounds parts{{"c", u}, {"x", l}, {"y", l}, {"q", 0x1.80001p-2}, {"h", 0.5}};
@@ -184,7 +183,6 @@ TEST_CASE("Gappa proves what each operation loses and leaves, and not half of it
         if (bound > 0) CHECK(proved > bound / 2);
       }
     }
-  }
 }
 TEST_CASE("Gappa proves what polynomials lose and leave, step by step") {
   for (const codegen::Tier& tier : codegen::tiers()) {

@@ -12,7 +12,6 @@
 #include <cln/real.h>
 
 #include "catch.hpp"
-#include "codegen/exact.hpp"
 #include "magicmass/arithmetic/functions.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
@@ -266,7 +265,7 @@ TEST_CASE("functions of each tier lose what the table allows, and not half of it
   check_functions<generated::Slow>(codegen::tiers()[2]);
 }
 TEST_CASE("a polynomial with a spoiled coefficient is seen by its own proof and by the table") {
-  for (const codegen::Tier& tier : codegen::tiers()) {
+  for (const codegen::Tier& tier : codegen::tiers())
     for (const codegen::Polynomial& p : tier.polynomials) {
       CHECK(codegen::proved_error(p) == p.error);
       for (std::size_t k = 0; k < p.low.size(); ++k) {
@@ -275,20 +274,18 @@ TEST_CASE("a polynomial with a spoiled coefficient is seen by its own proof and 
         CHECK(codegen::proved_error(spoiled) > p.error);
       }
     }
-  }
 }
 
 TEST_CASE("powers lose what the table allows, are cut off at 2^-200, and end where it does not") {
   using Pair = magicmass::arithmetic::DoubleDouble<double>;
   const NumberType t{u, &codegen::tiers()[1]};
-  for (const double x : {0.9, 0.999, 0x1.fffffffffffffp-1}) {
+  for (const double x : {0.9, 0.999, 0x1.fffffffffffffp-1})
     for (const int n : {1, 2, 7, 100, 1023}) {
       const Pair p = magicmass::arithmetic::power(Pair{x, 0}, n);
       const cl_RA wanted = cln::expt(codegen::exact(x), n);
       const cl_RA off = codegen::exact(p.high) + codegen::exact(p.low) - wanted;
       CHECK(size(off) <= t.power(0, n).loss * size(wanted));
     }
-  }
   CHECK(magicmass::arithmetic::power(Pair{0.5, 0}, 1e6).high == 0x1p-200);
   CHECK_THROWS_WITH(t.power(0x1p-60, 0x1p40), "a power of too high an exponent");
 }

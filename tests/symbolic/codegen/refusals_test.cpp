@@ -1,7 +1,6 @@
 // What the generator must not accept: each finding of the audit of its forerunner, and each guard
 // of the reader, of plain and exact forms and doublings, too; at edges from both sides.
 
-#include "catch.hpp"
 #include "codegen/emit.hpp"
 #include "codegen/errors.hpp"
 #include "kernel/names.hpp"
@@ -14,7 +13,6 @@ using namespace kernel;
 using codegen::Case;
 using codegen::Doubling;
 using codegen::Interval;
-using codegen::PlainForm;
 using codegen::Quantity;
 
 const Expr alpha = real("alpha"), m = integer("m");
@@ -196,7 +194,7 @@ TEST_CASE("a doubling needs its four theorems in their shape, and what they need
   const Theorem at_0 = assume(eq(f(0), 1)), at_1 = assume(eq(f(1), alpha));
   const Theorem even = assume(eq(f(2 * m), 2 * power(f(m), 2) - 1));
   const Theorem odd = assume(eq(f(2 * m + 1), 2 * f(m) * f(m + 1) - f(1)));
-  const PlainForm any{quantity(definition(1 + alpha), {0, 1}), "exact"};
+  const codegen::PlainForm any{quantity(definition(1 + alpha), {0, 1}), "exact"};
   // The hypotheses of these are their conclusions: only a domain that knows of them takes them.
   const auto known = [](Expr) { return Interval{0, 0}; };
   const codegen::Domain knowing{any.quantity, any.quantity.cases[0], false, known};
@@ -207,9 +205,8 @@ TEST_CASE("a doubling needs its four theorems in their shape, and what they need
   CHECK_THROWS_WITH(codegen::emit_doubling(right, plain), ContainsSubstring("do not give"));
   for (const Doubling& wrong : {Doubling{at_1, at_1, even, odd}, Doubling{at_0, at_0, even, odd},
                                 Doubling{at_0, at_1, odd, odd}, Doubling{at_0, at_1, even, even},
-                                Doubling{at_0, at_1, assume(eq(f(m * 2), f(m))), odd}}) {
+                                Doubling{at_0, at_1, assume(eq(f(m * 2), f(m))), odd}})
     CHECK_THROWS_WITH(codegen::emit_doubling(wrong, knowing), ContainsSubstring("not f at 0"));
-  }
   const Doubling ahead{at_0, at_1, assume(eq(f(2 * m), f(m + 1))), odd};
   CHECK_THROWS_WITH(codegen::emit_doubling(ahead, knowing), ContainsSubstring("no definition of"));
   codegen::Builder terms(codegen::Numbers::field);

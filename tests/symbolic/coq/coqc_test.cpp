@@ -2,7 +2,6 @@
 #include <cstdlib>
 #include <regex>
 
-#include "catch.hpp"
 #include "coq/files.hpp"
 #include "rows.hpp"
 

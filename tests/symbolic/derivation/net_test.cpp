@@ -6,7 +6,6 @@
 #include <cln/complex.h>
 #include <cln/float.h>
 
-#include "catch.hpp"
 #include "derivation/book.hpp"
 #include "motion.hpp"
 #include "notation/typed.hpp"
@@ -144,11 +143,8 @@ bool same(Expr l, Expr r, const Point& point) {
   return true;
 }
 
-std::mt19937_64& random_bits() {
-  static std::mt19937_64 engine(12345);
-  return engine;
-}
-int any_of(int count) { return int(random_bits()() % std::uint64_t(count)); }
+std::mt19937_64 engine(12345);
+int any_of(int count) { return int(engine() % std::uint64_t(count)); }
 cl_R between(double lo, double hi) {
   const cl_R share = exact(cl_R(any_of(1 << 30))) / exact(cl_R(1 << 30));
   return exact(cl_R(lo)) + share * exact(cl_R(hi - lo));

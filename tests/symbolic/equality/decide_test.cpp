@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <random>
 
-#include "catch.hpp"
 #include "rows.hpp"
 
 using namespace equality;

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "catch.hpp"
 #include "generate/quantities.hpp"
 #include "rows.hpp"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <sstream>
-#include <string>
 
 #include "catch.hpp"
 #include "kernel/theorem.hpp"

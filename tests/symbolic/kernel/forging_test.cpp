@@ -2,12 +2,10 @@
 // theorems past its rules. A cast of C's is an error there: symbolic/kernel/CMakeLists.txt.
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <map>
 #include <regex>
 #include <set>
 
-#include "catch.hpp"
 #include "rows.hpp"
 
 namespace {

@@ -54,13 +54,13 @@ TEST_CASE("names are identifiers and mean one thing for ever") {
   const auto declared = [](const std::string& name, const Signature& s) {
     return [=] { declare(name, s); };
   };
-  using Act = std::function<void()>;
   for (const auto& row : rows_of("symbolic/kernel/names.tsv", 3, 36)) {
     const std::string& name = row[1];
-    const std::map<std::string, Act> kinds{{"real", [&] { real(name); }},
-                                           {"integer", [&] { integer(name); }},
-                                           {"function", [&] { define(name, {}, 1); }},
-                                           {"indexed", declared(name, at_index)}};
+    const std::map<std::string, std::function<void()>> kinds{
+        {"real", [&] { real(name); }},
+        {"integer", [&] { integer(name); }},
+        {"function", [&] { define(name, {}, 1); }},
+        {"indexed", declared(name, at_index)}};
     refused(row[0] + " " + name, row[2], kinds.at(row[0]));
   }
   refused("beside one at an index", "prints as step_", declared("step", {.args = {Sort::Real}}));

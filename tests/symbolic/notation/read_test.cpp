@@ -1,9 +1,7 @@
 // What the kernel prints is read back as the same tree; what people type; what is refused.
 #include <functional>
-#include <iterator>
 #include <random>
 
-#include "catch.hpp"
 #include "kernel/names.hpp"
 #include "kernel/theorem.hpp"
 #include "notation/alpha.hpp"

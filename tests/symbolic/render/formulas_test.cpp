@@ -1,6 +1,5 @@
 // Formulas in LaTeX, with parentheses where the reading would change, and nowhere else; in MathML,
 // what is set above, below or beside what. Pages are seen in the sessions of the command.
-#include "catch.hpp"
 #include "notation/typed.hpp"
 #include "render/pages.hpp"
 #include "rows.hpp"

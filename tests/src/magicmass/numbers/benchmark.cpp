@@ -41,7 +41,7 @@ struct Data : testing::Table {
 template <class F>
 auto singly(Data& d, F of) {
   return [&d, of] {
-    for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t i = 0; i < rows; ++i)
       if constexpr (requires { of(0.5, std::int64_t{1}); }) {
         const Velocities v = of(d.alpha[i], d.n[i]);
         d.sum += v.a + v.b + v.c + v.c_prime;
@@ -49,7 +49,6 @@ auto singly(Data& d, F of) {
         const std::optional<Terminal> t = of(d.alpha[i]);
         d.sum += t->a_t + t->b_t + t->c_t + double(t->counts.N_A + t->counts.N_B);
       }
-    }
   };
 }
 template <class F>

@@ -1,10 +1,6 @@
 // The oracle's answers in the types of the numeric functions.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <vector>
-
 #include "magicmass/numbers/values.hpp"
 #include "magicmass/oracle/certain.hpp"
 

@@ -22,13 +22,12 @@ inline std::uint64_t fingerprint() {
   both[0].fill(tiers[numbers::accurate]);
   both[1].fill(tiers[numbers::fast]);
   std::uint64_t bits = 0;
-  for (std::size_t row = 0; row < rows; ++row) {
+  for (std::size_t row = 0; row < rows; ++row)
     for (const Table& tier : both) {
       for (const auto& column : tier.values)
         bits = bits * 6364136223846793005U + std::bit_cast<std::uint64_t>(column[row]);
       bits += std::uint64_t(tier.counts[0][row] + 3 * tier.counts[1][row]);
     }
-  }
   return bits;
 }
 }  // namespace magicmass::testing

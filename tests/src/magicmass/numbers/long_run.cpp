@@ -4,7 +4,6 @@
 // rational alpha up to cycle 64, all by the oracle.
 // The formulas are the paper's sums of sines and cosines, typed in, with a bound of their error.
 // The product's evaluators are products of other angles. nullopt: not certain, ask the oracle.
-#include <cstdlib>
 #include <map>
 
 #include <cln/real.h>
@@ -125,14 +124,13 @@ void check(const Row& row, const Velocities& v, const Terminal& t, bool is_sampl
 Tally all_rationals() {
   const Family family{"rationals", nullptr};
   Tally tally;
-  for (int k = 0; k <= 12; ++k) {
+  for (int k = 0; k <= 12; ++k)
     for (int p = 1; p <= 4096; p += k == 0 ? 1 : 2) {
       const double alpha = std::ldexp(double(p), -k);
       const Terminal t = *accurate::terminal(alpha);
       for (std::int64_t n = 0; n <= std::min(t.counts.N_A, std::int64_t{64}); ++n)
         check({&family, alpha, n}, accurate::velocities(alpha, n), t, true, tally);
     }
-  }
   return tally;
 }
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <cln/real.h>
 
-#include "catch.hpp"
 #include "law_of_collision.hpp"
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
@@ -112,9 +111,9 @@ Row heavy_balls(Random& random, int i) {
 }  // namespace
 
 TEST_CASE("with restitution errors are at most 4 envelopes, and counts exact") {
-  using Some = Row (*)(Random&, int);
-  for (const auto& [rows, some] :
-       {std::pair<int, Some>{150, equal_blocks}, {300, any_masses}, {60, heavy_balls}}) {
+  for (const auto& [rows, some] : {std::pair<int, Row (*)(Random&, int)>{150, equal_blocks},
+                                   {300, any_masses},
+                                   {60, heavy_balls}}) {
     Random random(20);
     double worst = 0;
     for (int i = 0; i < rows; ++i) worst = std::fmax(worst, worst_of(some(random, i)));

@@ -5,7 +5,6 @@
 #include <cln/float.h>
 #include <cln/real.h>
 
-#include "catch.hpp"
 #include "rows.hpp"
 #include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
@@ -132,7 +131,7 @@ void check_threshold(double alpha) {
 
 TEST_CASE("of every family accurate is rounded right, fast close, and counts are exact") {
   Random random(21);
-  for (const Family& family : families) {
+  for (const Family& family : families)
     for (int row = 0; row < 25; ++row) {
       const double alpha = family.alpha(random);
       const std::int64_t n = some_cycle(random, alpha), j = some_collision(random, alpha);
@@ -144,7 +143,6 @@ TEST_CASE("of every family accurate is rounded right, fast close, and counts are
       if (row % 2 == 0) check_shares(alpha, n);
       if (row % 3 == 0) check_threshold(alpha);
     }
-  }
 }
 TEST_CASE("pinned inputs: where the first edition's single numbers, arrays and stream were worst") {
   const auto pins = rows_of("generated/worst_inputs.tsv", 3);
@@ -181,9 +179,8 @@ TEST_CASE("doubles and ties: 1 + alpha a power of 2, the first collisions, leadi
     terminal(std::ldexp(1.0, j) - 1, 0);
   }
   for (double alpha : {0x1p-1074, 0x1p-400, 0x1p-53, 3 * 0x1p-53, 0.5, 1.0, neighbour(1, -1), 3.0,
-                       0x1p53 + 2, 0x1p400, 0x1.fffffffffffffp1023}) {
+                       0x1p53 + 2, 0x1p400, 0x1.fffffffffffffp1023})
     for (std::int64_t j : {0, 1}) CHECK(collision(alpha, j) <= 4);
-  }
   for (double alpha : {0x1p-1074, 0x1.5acd9597016aap-968, 0x1p-400, 0x1p-130})
     for (std::int64_t j : {2L, 3L, 7L, (1L << 53) - 1, (1L << 54) - 1, (1L << 54) + 1, INT64_MAX})
       CHECK(collision(alpha, j) <= 4);
@@ -232,8 +229,7 @@ TEST_CASE("what has no answer is refused") {
   }
 }
 TEST_CASE("counts end where their sum is 2^63") {
-  double countable = 1e-37;
-  double beyond = 1e-38;
+  double countable = 1e-37, beyond = 1e-38;
   while (neighbour(beyond, 1) < countable) {
     const double middle = neighbour(
         beyond, (std::bit_cast<std::int64_t>(countable) - std::bit_cast<std::int64_t>(beyond)) / 2);

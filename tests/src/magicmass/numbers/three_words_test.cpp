@@ -51,8 +51,7 @@ TEST_CASE("three words lose no more than they say") {
     const ThreeWords x = some(random);
     const ThreeWords near = x + scaled(x, std::ldexp(1.0, -row % 191));
     const ThreeWords y = row % 2 == 0 ? some(random) : -near;
-    const MpfrFloat a = exactly(x);
-    const MpfrFloat b = exactly(y);
+    const MpfrFloat a = exactly(x), b = exactly(y);
     REQUIRE(off(x, a) < -300);
     REQUIRE(off(x + y, a + b) <= -191);
     REQUIRE(off(x - y, a - b) <= -191);

@@ -1,7 +1,6 @@
 // Scenes as text, and what they come to in doubles.
 #pragma once
 
-#include <algorithm>
 #include <array>
 
 #include "catch.hpp"
