@@ -191,6 +191,7 @@ cl_R function(const std::string& f, const Vector& x) {
   }
   if (f == "h_e" || f == "y_e") {
     const cl_R kappa = function("kappa", x);
+    if (f == "y_e" && cln::abs(kappa - 1) < tiny()) return exact(1);
     if (f == "h_e" ? kappa >= 1 : kappa < 1) throw Undefined();
     return f == "h_e" ? acos(kappa) : kappa - root(kappa * kappa - 1);
   }

@@ -260,6 +260,10 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
       const cl_R of_B = 4 * x[3] * (1 + x[1] * x[2]);
       point[h.arg(0).arg(0)] = of_B * x[2] / ((1 + x[3]) * (1 + x[3]) - of_B);
     }
+    if (h.op() == Op::Eq && h.arg(0).op() == Op::Fun && h.arg(0).name() == "room_e") {
+      const std::vector<cl_R> x = values(h.arg(0), point);
+      point[h.arg(0).arg(1)] = (cln::square(1 - x[2]) / (4 * x[2] * x[0]) - 1) / (1 + x[0]);
+    }
     if (h.op() == Op::Eq && h.arg(0).op() == Op::Var && !free_variables(h.arg(1)).count(h.arg(0)))
       point[h.arg(0)] =
           h.arg(0).name().starts_with("o_") ? point[h.arg(0)] : value(h.arg(1), point);
