@@ -1,6 +1,4 @@
 // What the kernel proves again: equations of terms of +, *, /, roots and sines of parts of pi.
-#include <ranges>
-
 #include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
 
@@ -40,10 +38,10 @@ std::string shown(Expr f) {
 }
 Expr by_facts(Expr e, const Theorems& facts) {
   e = kernel::canonical(e);
-  for (const Theorem& is : std::views::reverse(facts))  // outer roots first
-    if (is.conclusion().op() == Op::Eq)
+  for (auto is = facts.rbegin(); is != facts.rend(); ++is)  // outer roots first
+    if (is->conclusion().op() == Op::Eq)
       e = kernel::canonical(
-          kernel::replace(e, kernel::canonical(algebra::left(is)), algebra::right(is)));
+          kernel::replace(e, kernel::canonical(algebra::left(*is)), algebra::right(*is)));
   return e;
 }
 // 0 < c or c < 0 from the signs of its parts or of its inverse, or not c = 0, as it has one.

@@ -129,7 +129,9 @@ Domain narrowed(Domain domain, const std::vector<Requirement>& needs) {
   // Of a x^2 + b x + c with rational zeros: between them, or beyond the one that is not passed.
   const auto narrow_by_square = [&](const Requirement& r, Expr x) {
     const auto parts = quadratic_in(r.term, x);
-    const auto number = [&](int i) { return notation::rational_value(parts[i]).value_or(0); };
+    const auto number = [&](std::size_t i) {
+      return notation::rational_value(parts[i]).value_or(0);
+    };
     const cln::cl_RA a = number(0), b = number(1), c = number(2), square = b * b - 4 * a * c;
     cln::cl_RA root;
     Forms forms(domain);
