@@ -177,14 +177,15 @@ void collapse_forms(Book& book, Names f, const Theorem& all, const Theorem& rise
       book.show("t_end", "they come as close as you like to the time",
                 equation(left(t_end), 2 * (1 + M_C) / (1 + e + S) * (L / V),
                          Theorems{t_end, at_1(book["collapse.y_e"]), root} + shares));
-  const Theorem edge = any.name("edge_e", 2 * (1 + M_C) / (1 + e), "which is, with");
+  const Theorem edge = any.name("edge_e", 2 * (1 + M_C) / (1 + e), "With");
   const Theorem none = root_is(left(room), 0, {assume(eq(left(room), 0))});
-  book.show("edge", "just where they begin not to end,",
+  book.show("edge", "at the threshold of collapse that time is",
             equation(left(t_end), left(edge) * (L / V), {is, edge, spread, none}));
   const Theorem closing = of_x.name(
-      "closing_e", e * (1 + w_B * M_C) * power(x, 2) - (1 + e) * x + (1 + M_C), "in L/V a zero of");
+      "closing_e", e * (1 + w_B * M_C) * power(x, 2) - (1 + e) * x + (1 + M_C), "A zero of");
   const Theorem at_end = at(closing, {{x, 2 * (1 + M_C) / (1 + e + S)}});
-  book.show("closing", "as", equation(left(at_end), 0, Theorems{at_end} + shares));
+  book.show("closing", "is the time in units of L/V,",
+            equation(left(at_end), 0, Theorems{at_end} + shares));
 }
 }  // namespace
 

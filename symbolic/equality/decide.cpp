@@ -5,9 +5,6 @@ using notation::typed_text;
 namespace {
 constexpr std::size_t points_tried = 40, points_inside = 10, points_of_case = 4;
 constexpr std::size_t points_beyond = 8, points_beside = 20, points_exactly = 3;
-constexpr int digits_shown = 16;
-constexpr std::size_t longest_shown = 40;
-constexpr int largest_denominator = 1000;
 constexpr const char* no_difference = "normal form: the difference of both sides is 0";
 constexpr int most_gaps = 30;   // points that are tried where a divisor may be 0
 constexpr int most_cases = 30;  // integers that are put in one by one
@@ -351,20 +348,6 @@ private:
 };
 }  // namespace
 
-std::string shown_value(Expr constant) {
-  auto exact = notation::rational_value(constant);
-  const Value value = value_at({}, constant);
-  if (!exact && value.ball) exact = near_fraction(value.ball->low(), largest_denominator);
-  const std::string digits = exact ? kernel::digits(*exact) : "";
-  if (exact && digits.size() <= longest_shown && exact_sign(constant - Expr(*exact)) == 0)
-    return digits;
-  for (int bits = 128; bits <= 8192; bits *= 2) {
-    const auto ball = value_at({}, constant, bits).ball;
-    if (!ball) continue;
-    if (const auto text = balls::decimal(ball->low(), ball->high(), digits_shown)) return *text;
-  }
-  return "too close to 0 to be shown";
-}
 Verdict decide(Expr left, Expr right, const Domain& domain, Wanted wanted) try {
   return Question(left, right, domain, wanted).answer();
 } catch (const NotDefined& none) {

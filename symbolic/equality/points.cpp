@@ -3,6 +3,9 @@
 
 namespace equality {
 namespace {
+constexpr int digits_shown = 16;
+constexpr std::size_t longest_shown = 40;
+constexpr int largest_denominator = 1000;
 constexpr std::size_t most_tried = 60;     // for one point that satisfies the further conditions
 constexpr std::size_t points_around = 40;  // of a zero
 constexpr int most_halves = 60;
@@ -171,6 +174,20 @@ std::optional<bool> holds(const notation::Comparison& c) try {
 }
 Expr at(const Point& point, Expr term) {
   return kernel::substitute(term, {point.begin(), point.end()});
+}
+std::string shown_value(Expr constant) {
+  auto exact = notation::rational_value(constant);
+  const Value value = value_at({}, constant);
+  if (!exact && value.ball) exact = near_fraction(value.ball->low(), largest_denominator);
+  const std::string digits = exact ? kernel::digits(*exact) : "";
+  if (exact && digits.size() <= longest_shown && exact_sign(constant - Expr(*exact)) == 0)
+    return digits;
+  for (int bits = 128; bits <= 8192; bits *= 2) {
+    const auto ball = value_at({}, constant, bits).ball;
+    if (!ball) continue;
+    if (const auto text = balls::decimal(ball->low(), ball->high(), digits_shown)) return *text;
+  }
+  return "too close to 0 to be shown";
 }
 std::string text(const Point& point) {
   std::string out;
