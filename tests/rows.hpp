@@ -14,8 +14,7 @@ inline std::string contents_of(const std::string& file) {
   REQUIRE(in);
   return {std::istreambuf_iterator<char>(in), {}};
 }
-/// Of a file in tests: a row a line but comments (#), of so many fields, with tabs between them; at
-/// least so many rows.
+/// Of a file in tests: a row a line but comments (#), of so many fields between tabs; enough rows.
 inline std::vector<std::vector<std::string>> rows_of(const std::string& file, std::size_t columns,
                                                      std::size_t least = 1) {
   std::ifstream in(MAGICMASS_SOURCE "/tests/" + file);

@@ -118,7 +118,7 @@ private:
       const Expr by_right = kernel::substitute(by, {{unknown, *zero}});
       const Expr crossed = by_right * f - f_right * by;
       return has_unknowns(f_right) && has_unknowns(by_right) && !is_zero(crossed) &&
-             are_proportional(e * factor * by_right, crossed);
+             (are_proportional(e * factor * by_right, crossed) || are_proportional(e, crossed));
     });
   }
 };
@@ -187,9 +187,17 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
     for (const auto& [left, right] : equations) term = kernel::replace(term, left, right);
     return term;
   };
-  const auto is_step = [&](Expr from, Expr to) {    // whatever psi is, or by the laws
-    const auto is_moved = [&](const auto& aside) {  // what is on both sides of it
-      return terms.are_equal(from - to, aside.first - aside.second);
+  kernel::Substitution others;
+  for (const std::string& name : notation::symbols_of(start))
+    others.emplace(notation::symbol(name), notation::symbol(name + "_0"));
+  const auto is_step = [&](Expr from, Expr to) {
+    const auto is_moved = [&](const auto& aside) {  // what is on both sides of it, or a factor
+      const Expr by_law = with(laws, aside.first - aside.second);
+      return std::ranges::any_of(std::array{aside.first - aside.second, by_law}, [&](Expr is) {
+        return !terms.are_equal(is, 0) &&
+               terms.are_equal((from - to) * kernel::substitute(is, others),
+                               kernel::substitute(from - to, others) * is);
+      });
     };
     return terms.are_equal(from, to) || terms.are_equal(with(laws, from), to) ||
            terms.are_equal(with(laws, with(asides, from)), to) ||
@@ -208,8 +216,10 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
     if (is_aside && !goes_on(i)) std::tie(before, shown_before) = reached;
     is_aside = is_aside && goes_on(i);
     if (!is_aside) reached = {before, shown_before};
-    const Texts parts = split(lines[i], '=');
+    Texts parts = split(lines[i], '=');
     if (parts.empty()) kernel::refuse(line_name(i) + " is empty");
+    if (parts.size() == 2 && !goes_on(i) && typed(terms, parts[1], i, notes).term == start)
+      std::swap(parts[0], parts[1]);
     for (const std::string& part : parts) {
       const bool is_one = parts.size() == 1 && !goes_on(i + 1);
       const bool is_left = &part == &parts[0] && !goes_on(i) && !is_one;

@@ -61,8 +61,7 @@ std::pair<Expr, Expr> one_fraction(Expr e) {
   return {all_over, all_under};
 }
 
-/// Whether a sum is a product: x*y + x, x^2 + 2*x + 1, 1/x + 2 + x, of factors with other symbols,
-/// but not 1 - x^2 or 1/x + 1/y.
+/// Whether a sum is a product: x*y + x, x^2 + 2*x + 1, 1/x + 2 + x; not 1 - x^2 or 1/x + 1/y.
 bool hides_product(Expr e, const equality::Domain&) {
   if (e.op() != Op::Add) return false;
   const Polynomial terms = polynomial(one_fraction(e).first);

@@ -23,6 +23,16 @@ std::string plain(std::string text) {
   return text;
 }
 
+/// 28/33 of t = 28/33 ≈ 0.85, but not the a_2 of a_2 ≈ 0.2.
+std::string before_decimals(const std::string& text, Texts& notes) {
+  const Texts part = matched(text, R"((.*\S) *(?:≈|\\approx\b) *(?:-|−)?[0-9.]+)");
+  const auto is_name = [&] { return !matched(part[1], R"([\w'\\{}\x80-\xff]+)").empty(); };
+  if (part.empty() || (is_name() && part[1].find_first_not_of("0123456789.") != part[1].npos))
+    return text;
+  notes.push_back("what stands behind ≈ is not read");
+  return part[1];
+}
+
 bool has_counts(Expr e) { return kernel::text(e).find("ceil(") != std::string::npos; }
 
 /// As a student would type it, where the exercise has names of what was run.
@@ -119,20 +129,27 @@ std::string bare(std::string text) {
 }
 
 Judgement judge_choice(const Exercise& e, const std::string& text) {
-  const Texts part = matched(text, R"(\(? *([A-Za-z]) *(?:[).,:;] *(.*))?)");  // (a), b., c) words
+  const Texts part =  // (a), b., c) words, a – words
+      matched(text, R"([(["']? *([A-Za-z]) *(?:(?:[).,:;\]"'-]|–|—) *(.*))?)");
   const std::string words = bare(part.empty() ? text : part[2]);
   const char said = part.empty() ? '?' : char(part[1][0] | 0x20);
   char letter = words.empty() ? said : '?';
+  int fits = 0;
   for (std::size_t i = 0; i < e.choices.size(); ++i) {
     const std::string choice = bare(e.choices[i]);
     const bool is_part = words.size() > 3 && choice.find(words) != choice.npos;
     const char own = char('a' + i);
-    if (said == own ? words == choice || is_part : part.empty() && words == choice) letter = own;
+    if (said == own ? choice.starts_with(words) || is_part
+                    : part.empty() && (words == choice || (is_part && ++fits < 2)))
+      letter = own;
   }
   const char last = char('a' + e.choices.size() - 1);
-  if (letter < 'a' || letter > last)
-    kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got " +
-                   answers::shown_text(text));
+  if (letter == '?' && said >= 'a' && said <= last)
+    kernel::refuse(std::string(1, said) + ") is \"" + e.choices[std::size_t(said - 'a')] +
+                   "\"; which is meant, the letter or the words?");
+  if (letter < 'a' || letter > last || fits > 1)
+    kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got \"" +
+                   answers::shown_text(text) + "\"");
   if (letter == right_choice(e)) return {Mark::right, happens};
   const auto was_given = [&](const std::string& one) { return one == std::string(1, letter); };
   return mistake(e, was_given, "This is not what happens.");
@@ -152,8 +169,8 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) try
   Texts notes;
   Judgement said = e.kind == "code"         ? judge_code(e, text, run)
                    : e.kind == "derivation" ? judge_derivation(e, text, notes)
-                   : e.choices.empty()      ? judge_expression(e, text, notes)
-                                            : judge_choice(e, text);
+                   : e.choices.empty() ? judge_expression(e, before_decimals(text, notes), notes)
+                                       : judge_choice(e, text);
   said.notes = notes;
   return said;
 } catch (const kernel::Refused& r) {
@@ -228,6 +245,12 @@ Texts faults(const Exercise& e, const Run& run) {
     }
     const Judgement own = judge(e, own_answer(e), run);
     need(own.mark == Mark::right, "its own answer", own);
+    if (!e.answer.empty() && !e.answer_from.empty()) {
+      const Terms terms(e);
+      const Expr step = terms.in_full(terms.from_step(e.answer_from));
+      const Judgement said = terms.compare(terms.in_full(terms.answer()), step);
+      need(said.mark == Mark::right, "its own answer", said);
+    }
     if (e.kind == "symbolic" && e.answer_from.empty() && !e.name.empty()) {
       Exercise in_alpha = e;  // where psi and all other names have their meaning
       in_alpha.symbols.push_back("alpha");

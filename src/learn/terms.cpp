@@ -170,7 +170,7 @@ Expr Terms::in_book(Expr term) const {
 }
 
 Expr Terms::answer() const {
-  return exercise.answer_from.empty() ? content(exercise.answer) : from_step(exercise.answer_from);
+  return exercise.answer.empty() ? from_step(exercise.answer_from) : content(exercise.answer);
 }
 
 std::string Terms::foreign(Expr term, const std::string& typed) const {

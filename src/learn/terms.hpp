@@ -19,7 +19,7 @@ public:
   Expr typed_for_name(const std::string& text, Texts& notes) const;
   /// What the exercise says. Throws answers::InvalidInput.
   Expr content(const std::string& text) const;
-  /// The answer: of the derivation's step, or typed by the teacher.
+  /// The answer: typed by the teacher (`faults` compares it with the step), or the step's.
   Expr answer() const;
   Expr from_step(const std::string& id) const;
   /// In full, with what the book says of all names: a_t, t_j, N_A.

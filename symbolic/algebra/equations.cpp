@@ -10,16 +10,16 @@ struct Search {
   std::vector<Polynomial> cofactors;
 
   bool rewrite_once(const Theorem& rule, Polynomial& cofactor) {
-    const Polynomial before = polynomial(left(rule));
+    const Polynomial& before = polynomial(left(rule));
     if (before.size() != 1 || before.begin()->second != 1)
       refuse("a rule rewrites a monomial, not " + text(left(rule)));
     Polynomial quotient;
     for (const auto& [monomial, coefficient] : remainder)
       if (const auto rest = divided(monomial, before.begin()->first))
-        quotient = quotient + Polynomial{{*rest, coefficient}};
+        quotient.emplace(*rest, coefficient);
     if (quotient.empty()) return false;
-    remainder = remainder + quotient * (polynomial(right(rule)) - before);
-    cofactor = cofactor - quotient;
+    remainder = std::move(remainder) + quotient * (polynomial(right(rule)) - before);
+    cofactor = std::move(cofactor) - quotient;
     return true;
   }
   /// Multiplies by d for the youngest inv(d), d in `nonzero`.
@@ -27,13 +27,13 @@ struct Search {
     const Expr inverse = youngest_inverse(remainder, [&](Expr d) { return nonzero.count(d) != 0; });
     if (!inverse) return false;
     const Theorem& why = *nonzero.at(inverse.arg(0));
-    const Polynomial divisor = polynomial(inverse.arg(0));
+    const Polynomial& divisor = polynomial(inverse.arg(0));
     const bool same_sign = canonical(gap(why)) == inverse.arg(0);
     Polynomial cleared;
     for (const auto& [monomial, coefficient] : remainder) {
       const auto rest = divided(monomial, {{inverse, 1}});
-      cleared = cleared + (rest ? Polynomial{{*rest, coefficient}}
-                                : Polynomial{{monomial, coefficient}} * divisor);
+      cleared = std::move(cleared) + (rest ? Polynomial{{*rest, coefficient}}
+                                           : Polynomial{{monomial, coefficient}} * divisor);
     }
     remainder = same_sign ? cleared : scaled(cleared, -1);
     multipliers.push_back(why);
@@ -56,8 +56,10 @@ std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by) {
   return quotient;
 }
 Expr gap(Expr relation) {
+  static std::map<Expr, Expr> known;
   if (relation.op() == Op::Not) return gap(relation.arg(0));
-  return relation.arg(1) - relation.arg(0);
+  Expr& is = known[relation];
+  return is ? is : is = relation.arg(1) - relation.arg(0);
 }
 
 namespace {

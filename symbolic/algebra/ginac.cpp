@@ -8,8 +8,7 @@ namespace algebra {
 namespace {
 using GiNaC::ex;
 
-/// Kernel terms as GiNaC's and back: each atom is a symbol; a square root is one with its square
-/// known.
+/// Kernel terms as GiNaC's and back: each atom is a symbol, a square root one of known square.
 class Translation {
 public:
   ex symbol_of(Expr atom) {

@@ -6,8 +6,7 @@ namespace algebra {
 namespace {
 using cln::cl_RA;
 
-/// p > 0 or p >= 0 with the combination of given rows that it is: row 0 is the negated goal, row i
-/// the fact i - 1.
+/// p > 0 or p >= 0 with the combination of rows that it is: 0 is the negated goal, i fact i - 1.
 struct Row {
   Polynomial p;
   std::vector<cl_RA> of;
@@ -56,14 +55,14 @@ bool eliminate_unknown(std::vector<Row>& rows) {
   const auto best = std::ranges::min_element(signs, {}, product);
   const Monomial unknown = best->first;
   std::vector<Row> rest, above, below;
-  for (const Row& row : rows) {
+  for (Row& row : rows) {
     const cl_RA q = row.coefficient(unknown);
-    (q > 0 ? above : q < 0 ? below : rest).push_back(row);
+    (q > 0 ? above : q < 0 ? below : rest).push_back(std::move(row));
   }
   for (const Row& a : above)
     for (const Row& b : below)
       rest.push_back(combined(a, 1 / a.coefficient(unknown), b, -1 / b.coefficient(unknown)));
-  rows = rest;
+  rows = std::move(rest);
   return true;
 }
 /// A constant row that is false: of[0] (-D) + sum of facts = c, so D = (sum - c)/of[0]; with of[0]
@@ -189,7 +188,7 @@ private:
   }
   /// d/d = 1, times what is left of the monomial
   void quotient(const Monomial& monomial, Expr inverse) {
-    const Polynomial divisor = polynomial(inverse.arg(0));
+    const Polynomial& divisor = polynomial(inverse.arg(0));
     for (auto lead = divisor.rbegin(); lead != divisor.rend(); ++lead) {
       const auto rest = divided(monomial, polynomial(expression({*lead}) * inverse).begin()->first);
       if (lead->first.empty() || !rest) continue;

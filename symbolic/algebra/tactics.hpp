@@ -1,5 +1,4 @@
-// Tactics: each finds a proof that the kernel then checks, so that nothing here is trusted;
-// Refused where there is none.
+// Tactics: each finds a proof that the kernel checks: nothing here is trusted. Refused: none found.
 #pragma once
 
 #include "kernel/polynomial.hpp"
@@ -69,8 +68,7 @@ inline bool is_relation(Expr f) { return f.op() == Op::Eq || f.op() == Op::Lt ||
 Theorem never();
 /// f, H |- 0 < 0 gives H |- not f
 Theorem refute(Expr f, const Theorem& absurd);
-/// 0 <= n |- f by induction, from f at 0 and from a proof of f at n + 1 that may use f; 0 <= n is
-/// known in it.
+/// 0 <= n |- f by induction, from f at 0 and a proof of f at n + 1 that may use f and 0 <= n.
 Theorem by_induction(Expr n, Expr f, const Theorem& base,
                      const std::function<Theorem(const Theorem&)>& step);
 /// The same where `equation` shows f at 0 from `start` and at n + 1 from `next` and f.
@@ -124,9 +122,8 @@ Theorem root_is(Expr x, Expr t, const Theorems& facts = {});
 /// `goal` (=, also of matrices, <, <=, not =; several of them, or one that implies or is equivalent
 /// to another) as a linear combination of `facts` (=, <, <=), each monomial an unknown; the
 /// combination is found by Fourier's and Motzkin's elimination. Where they do not suffice: with
-/// what is known, d/d = 1, squares of roots, the axioms of pi, ceilings and arctangents, i < j as i
-/// + 1 <= j for integers, and the sign of the gap as `positive` sees it. Throws Refused where there
-/// is none.
+/// what is known, d/d = 1, squares of roots, the axioms of pi, ceilings and arctangents, i < j as
+/// i + 1 <= j for integers, and the sign of the gap as `positive` sees it. Else throws Refused.
 Theorem linear(Expr goal, const Theorems& facts = {});
 /// `goal` from `relation`, which `linear` shows, times a positive factor.
 Theorem scaled(Expr goal, Expr relation, Expr factor, const Theorems& facts = {});
@@ -173,15 +170,12 @@ Theorem cosine_falls(const Theorem& less, const Theorems& facts = {});
 /// 0 <= sin(t): `linear` finds 0 <= t and t <= pi.
 Theorem sine_not_negative(Expr t, const Theorems& facts = {});
 
-// GiNaC solves, multiplies out and factors. What it says is a proposal that the kernel certifies,
-// so a mistake of GiNaC's is a proof that is not found. Results do not depend on GiNaC's order of
-// terms, which changes from run to run.
+// GiNaC solves, multiplies out and factors. What it says is a proposal that the kernel certifies:
+// a mistake is a proof that is not found. Its order of terms, new in each run, changes no result.
 /// The unknowns from equations that are linear in them (after denominators are cleared), in the
-/// order of `unknowns`, each as `simplified` with `collect`. Throws Refused where there is not
-/// exactly one solution.
+/// order of `unknowns`, each as `simplified` with `collect`. Refused: none, or more than one.
 Exprs solve(const Exprs& equations, const Exprs& unknowns, const Exprs& collect = {});
 /// A quotient of products of powers, roots out of the denominator; sums are collected by the atoms
-/// in `collect`. Everything but +, *, powers, quotients and square roots is an atom. Matrices
-/// entry by entry.
+/// in `collect`. All but +, *, powers, quotients and square roots are atoms. Matrices by entries.
 Expr simplified(Expr term, const Exprs& collect = {});
 }  // namespace algebra

@@ -1,6 +1,5 @@
-// Fixed-point balls: a midpoint and a radius, both whole multiples of 2^-bits. What is exact lies
-// within. One ball type serves scenes, certified digits and the decision of equality. And exact
-// numbers with square roots.
+// Fixed-point balls: midpoint and radius, whole multiples of 2^-bits; what is exact lies within.
+// One type serves scenes, certified digits and equality. And exact numbers with square roots.
 #pragma once
 
 #include <cstdint>

@@ -30,8 +30,7 @@ int Builder::add(Node n) {
     n.least = n.range.least();
   else if (n.op == Op::product || n.op == Op::exact_product)
     n.least = program[n.of[0]].least * program[n.of[1]].least;
-  // Up to there, and down to its inverse, nothing over- or underflows: of pairs, no products,
-  // splits and errors of products.
+  // Up to there, and down to its inverse, no product, split or error of a product leaves the range.
   const double most = numbers == Numbers::doubles  ? 0x1p900
                       : numbers == Numbers::plain  ? 0x1p1000
                       : numbers == Numbers::single ? 0x1p120

@@ -42,8 +42,7 @@ std::string sine_and_cosine(const Program& p, const Node& n);
 /// "3 sums, 2 products, ..."
 std::string operation_counts(const Program& p);
 Emitted emit_evaluator(const Quantity& q, const Ids& ids = {});
-/// Values that a theorem names, or that are used more than once, have a line; all others stand
-/// where they are used.
+/// Values that a theorem names, or used more than once, have a line; others stand where used.
 class PlainText {
 public:
   explicit PlainText(const Program& program);

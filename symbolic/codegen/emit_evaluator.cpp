@@ -1,5 +1,4 @@
-// The header of a quantity: its structures, its cases (bounds of all tiers, members, stages, tests)
-// and the choice among them.
+// A quantity's header: structures, cases (bounds of all tiers, members, stages, tests), choice.
 #include <algorithm>
 
 #include "codegen/emit.hpp"

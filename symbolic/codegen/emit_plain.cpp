@@ -39,8 +39,7 @@ std::string unless(const std::string& condition, const std::string& start, std::
 }
 std::string output_name(const Theorem& t) { return identifier(t.conclusion().arg(0).name()); }
 
-/// The outputs that are wanted (none named: all) and the definitions those need, other outputs
-/// among them.
+/// The outputs that are wanted (none named: all) and definitions that those need, outputs as well.
 Quantity wanted_part(Quantity q, const std::set<std::string>& wanted) {
   for (Case& c : q.cases) {
     std::set<Expr> live;

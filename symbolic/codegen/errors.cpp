@@ -7,8 +7,7 @@
 
 namespace codegen {
 namespace {
-/// Ranges and facts are of exact values; computed ones are within this of them, relatively, and
-/// `and_more` allows for that.
+/// Ranges and facts are of exact values; computed ones are within this, relatively: `and_more`.
 constexpr double close = 0x1p-22;
 /// What has no relative bound but is tested to be above this many times its error may divide: its
 /// error is below `close` of it, then, with half of that to spare for the test's own roundings.
@@ -59,8 +58,7 @@ public:
     } else if (r.kind == Result::real) {
       add_loss(f, t.rounding_test(low(k)), k);
     }
-    // For roundings of the bound at run time, and for high parts in place of values: both below
-    // 2^-38 even for ten factors.
+    // Roundings of the bound at run time, and high parts for values: below 2^-38 for ten factors.
     for (auto& [sizes, c] : f) c *= (r.kind == Result::divisor ? clear : 1) * and_more;
     const auto least = f.find({});
     if (r.kind == Result::divisor && (least == f.end() || least->second < p[k].range.low))

@@ -71,7 +71,6 @@ struct Analysis {
   std::vector<Form> outputs;
   std::vector<std::string> steps;  ///< one line a node, for a reader
 };
-/// Refused: a bound that is not known where it is needed, a fact or a range that is not known to
-/// hold of computed values.
+/// Refused: a bound not known where needed, a fact or a range not known of computed values.
 Analysis analyse(const Program& p, const NumberType& type, Plan& plan);
 }  // namespace codegen

@@ -106,8 +106,7 @@ private:
     }
   }
   bool is_known(Expr e) const { return e.op() == kernel::Op::Num || nodes.count(e) > 0; }
-  /// p <= q or p^2 = q, once p and q are known: an end of a range, which of two values is larger, a
-  /// square for arctangents.
+  /// p <= q or p^2 = q, once both are known: a range's end, the larger value, a square for atan.
   void use_fact(const Fact& t) {
     const Expr f = t.formula;
     const bool is_square =

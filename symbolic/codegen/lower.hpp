@@ -41,8 +41,7 @@ public:
   int arc_tangent(int t, int square);
   int power(int x, int k);
   int turn(int k);
-  /// The whole number nearest to p/q. What must be certain for that is added to the signs:
-  /// q/2 - |p - q k| > 0.
+  /// The whole number nearest to p/q. What makes that certain joins the signs: q/2 - |p - q k| > 0.
   int nearest(int p, int q);
   /// ceil(p/q + whole), certain where |p - q k| > 0.
   int ceiling(int p, int q, const cln::cl_RA& whole);
@@ -92,8 +91,7 @@ struct Domain {
 };
 /// Refused: a hypothesis that does not follow from the ranges.
 void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion);
-/// The left side of |- name(params) = term. Refused: another form, a hypothesis that does not
-/// follow.
+/// The left side of |- name(params) = term. Refused: another form, hypotheses that do not follow.
 Expr head(const Domain& d, const Theorem& t);
 /// Refused, too: a parameter that is no input, unit, or one-point interval.
 Expr checked_head(const Domain& d, const Theorem& t);

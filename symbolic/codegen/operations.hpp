@@ -1,5 +1,4 @@
-// THE table: what each operation of a number type loses, and how large a low part it leaves. Every
-// bound of a result comes from here.
+// THE table: what each operation of a number type loses, and the low part it leaves: every bound.
 #pragma once
 
 #include "codegen/exact.hpp"

@@ -1,5 +1,4 @@
-// The spelling of each operation in the runtime; and as it is typed, with no more brackets than it
-// takes.
+// The spelling of each operation in the runtime; and as it is typed, with no bracket too many.
 #include <algorithm>
 
 #include "codegen/emit.hpp"

@@ -57,8 +57,7 @@ private:
 /// symbol(params) = value, meant to be used where `domain` holds; leading parameters that name
 /// masses, V, e or L are not printed.
 Theorem defined(const std::string& symbol, const Exprs& params, Expr value, const Exprs& domain);
-/// names_i(params, 0) = start_i, and 0 <= n implies names_i(params, n + 1) = next_i, from all
-/// names(params, n).
+/// names_i(params, 0) = start_i; names_i(params, n + 1) = next_i of all names(params, n), 0 <= n.
 Theorems defined_by_recursion(const std::vector<std::string>& names, const Exprs& params, Expr n,
                               const Exprs& domain, const Exprs& start,
                               const std::function<Exprs(const Exprs&)>& next);
@@ -68,8 +67,7 @@ Exprs unproved_needs(const Theorem& theorem);
 const Book& the_book();
 /// What is proved already; after a chapter that threw, all that was before its fault.
 const Book& proved_so_far();
-/// The theorem of an id; no chapter is proved beyond the id's own. Throws Refused where there is
-/// none.
+/// The theorem of an id; no chapter is proved beyond the id's own. Throws Refused without one.
 Theorem shown(const std::string& id);
 bool is_shown(const std::string& id);
 }  // namespace derivation

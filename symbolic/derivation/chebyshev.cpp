@@ -1,5 +1,4 @@
-// Chebyshev's polynomials of the second kind, U_j: sines where their argument is a cosine, never
-// falling where it is 1 or more.
+// Chebyshev's polynomials of the second kind, U_j: sines of cosines, never falling from 1 on.
 #include "derivation/wedge.hpp"
 
 namespace derivation {

@@ -1,5 +1,4 @@
-// What makes the last collision of a block its last one; both counts from the whole part of pi/psi
-// and the rest.
+// What makes a block's last collision its last; both counts from the whole part of pi/psi and rest.
 #include "derivation/symbols.hpp"
 
 namespace derivation {

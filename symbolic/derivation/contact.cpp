@@ -1,5 +1,4 @@
-// One collision of two bodies: from momentum and energy to the velocities after it, and to the
-// matrix Gamma.
+// One collision of two bodies: from momentum and energy to the velocities after it, and to Gamma.
 #include "derivation/symbols.hpp"
 
 namespace derivation {

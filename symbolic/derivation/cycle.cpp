@@ -73,8 +73,7 @@ void conservation(Book& book, const Theorems& steps) {
             "and at Q_n:", proved(eq(b(n - 1) - c(n), -b(n) + c_prime(n))));
 }
 
-/// No other motion obeys the law: velocities v that a collision of the kind leads to are the next
-/// ones.
+/// No other motion obeys the law: velocities v that a collision leads to are the next ones.
 void uniqueness(Book& book) {
   const auto only = [&](Expr u, Expr w, const Theorem& next) {
     const Theorem law = instantiate(book["ball.velocities"], {{u_1, u}, {u_2, w}});

@@ -19,16 +19,16 @@ bool proved(Expr condition, const Theorems& facts, const Exprs& given) {
   for (const Theorem& t : facts)
     if (t.conclusion() == condition) return true;
   if (condition.op() == Op::All) return false;
-  if (holds(given, [&] { return linear_if(condition, facts); })) return true;
   const bool negated = condition.op() == Op::Not && condition.arg(0).op() == Op::Eq;
   const Expr f = negated ? condition.arg(0) : condition;
   const auto has_sign = [&](Expr d, bool strict) {
     return holds(given, [&] { return sign_of(d, facts, strict); });
   };
   const Expr up = f.arg(1) - f.arg(0);
-  if (negated) return has_sign(f.arg(0) - f.arg(1), true) || has_sign(up, true);
-  return (f.op() == Op::Lt || f.op() == Op::Le) &&
-         (has_sign(up, true) || (f.op() == Op::Le && has_sign(up, false)));
+  if (negated && has_sign(f.arg(0) - f.arg(1), true)) return true;
+  const bool has_order = negated || f.op() == Op::Lt || f.op() == Op::Le;
+  if (has_order && has_sign(up, f.op() != Op::Le)) return true;
+  return holds(given, [&] { return linear_if(condition, facts); });
 }
 }  // namespace
 

@@ -1,5 +1,4 @@
-// When and where the paper's collisions take place: blocks of mass 1, a ball of mass alpha, nothing
-// lost.
+// When and where the paper's collisions take place: blocks of mass 1, a ball of mass alpha, e = 1.
 #include "derivation/wedge.hpp"
 
 namespace derivation {

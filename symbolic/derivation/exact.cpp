@@ -1,5 +1,4 @@
-// Forms without roots, for any field: all velocities from T_m = cos(m psi/2), which is found by
-// doubling the index.
+// Forms without roots, for any field: all velocities from T_m = cos(m psi/2), by doubling m.
 #include "derivation/symbols.hpp"
 
 namespace derivation {

@@ -5,8 +5,7 @@ namespace derivation {
 namespace {
 Expr angle() { return (N_B() + rational(1, 2)) * psi(); }
 
-/// Four ways to say that N_B psi is as at a threshold: by B's velocity, by a cosine, by N_B, and by
-/// the ratio.
+/// Four ways to say that N_B psi is as at a threshold: by B's velocity, a cosine, N_B, the ratio.
 struct Condition {
   std::string name, ratio, cosine_label, count_label, cosine_words;
   Expr velocity, cosine, shift, target;  // cos(target) = cosine

@@ -1,5 +1,4 @@
-// The first ratios in square roots; for a seventeenth of pi, sums of cosines solve four quadratic
-// equations (Gauss' periods).
+// The first ratios in square roots; for pi/17, sums of cosines solve four quadratics (Gauss).
 #include "derivation/symbols.hpp"
 
 namespace derivation {

@@ -1,5 +1,4 @@
-// The mass ratios at which the counts change: N_A = k if and only if alpha_k <= alpha <
-// alpha_(k-1); beta_k for N_B.
+// The mass ratios where counts change: N_A = k iff alpha_k <= alpha < alpha_(k-1); beta_k for N_B.
 #include "derivation/symbols.hpp"
 
 namespace derivation {

@@ -1,5 +1,4 @@
-// Small mass ratios: the ranges of theta and psi, and what the paper approximates as bounds from
-// both sides.
+// Small mass ratios: ranges of theta and psi; what the paper approximates, as bounds on both sides.
 #include "derivation/symbols.hpp"
 
 namespace derivation {

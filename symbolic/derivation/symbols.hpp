@@ -68,8 +68,7 @@ inline Theorem canonical_form(const Theorem& t) {
 }
 /// What is so from 0 on at n - 1, from 1 on.
 inline Theorem one_before(const Theorem& t) { return at(t, {{n, n - 1}}, {assume(n_from_1)}); }
-/// Shows cosine and sine of half of an angle and of it, from |- angle = 2 atan(t) and what
-/// rewrites sqrt(1 + t^2).
+/// Shows cosine and sine of half of an angle and of it, from |- angle = 2 atan(t), sqrt(1 + t^2).
 void show_angle(Book& book, const Theorem& is, const Theorems& hypotenuse, Expr cosine, Expr sine);
 /// |- sqrt(alpha (2 + alpha)) = sqrt(alpha) sqrt(2 + alpha)
 Theorem root_split(Book& book);

@@ -48,8 +48,7 @@ void on_the_way(Book& book, const Theorems& approaches) {
             changes(lt(b(n - 1), b(n)), N_B(), 2 * n - 1, 1, "cycle.Q"));
 }
 
-/// The end if the last collision is number N = `count`: who has had how many, the terminal
-/// velocities and their order.
+/// The end if the last collision is number N = `count`: counts, terminal velocities, their order.
 struct End {
   std::string name, words;
   Expr count, N_B_is, ball;

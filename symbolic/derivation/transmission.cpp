@@ -1,5 +1,4 @@
-// What collisions that lose energy let through: the paper's four equations, and the share that B
-// has after one cycle and after two.
+// What collisions with losses let through: the paper's four equations; B's share after two cycles.
 #include "derivation/wedge.hpp"
 
 namespace derivation {

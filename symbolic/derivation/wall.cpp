@@ -1,5 +1,4 @@
-// A wall in place of B, and masses T^2 and 1: they collide nearly pi T times, which for a power of
-// ten are digits of pi.
+// A wall in place of B, masses T^2 and 1: nearly pi T collisions, digits of pi for powers of ten.
 #include "derivation/wedge.hpp"
 
 namespace derivation {

@@ -29,8 +29,7 @@ inline Expr velocity(const std::string& body, Expr i) {
   return fun("v_" + body, at_rest() + Exprs{i});
 }
 inline Expr closing(Expr i) { return fun("closing", at_rest() + Exprs{i}); }
-/// A theorem of the motion from any start about that from rest, in its names, at collisions
-/// `indices`.
+/// A theorem of the motion from any start about that from rest, in its names, at `indices`.
 Theorem from_rest(const Book& book, const Theorem& t, Substitution terms = {},
                   const Exprs& indices = {j, j + 1});
 /// sqrt(e)^i

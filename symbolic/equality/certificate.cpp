@@ -57,6 +57,17 @@ Theorem not_zero(Expr c, const Theorems& facts) {
   proof.equations.emplace_back(inverse, kernel::assume(zero));
   return algebra::refute(zero, kernel::arithmetic(kernel::lt(0, 0), proof));
 }
+// 0 < t from 0 <= t and not t = 0, if both are known.
+void add_strict(Expr t, Theorems& facts) {
+  const auto not_zero = std::ranges::find_if(facts, [&](const Theorem& f) {
+    return kernel::canonical(f.conclusion()) == kernel::canonical(kernel::neq(t, 0));
+  });
+  if (not_zero != facts.end())
+    is_proved([&] {
+      const Theorems both{*not_zero, algebra::not_negative(t, facts)};
+      return facts.push_back(algebra::follows(kernel::lt(0, t), both)), true;
+    });
+}
 /// less < more or less <= more, from their squares.
 std::optional<Theorem> is_less(Expr less, Expr more, const Theorems& facts) {
   for (auto is : {kernel::lt, kernel::le}) try {
@@ -112,10 +123,13 @@ struct Roots {
       const cln::cl_I order = orders[factor];
       if (!e || order == 0 || order > highest_order) return {};
       const int n = cln::cl_I_to_int(order), k = whole(*e * order);
-      const Expr other = is_call(factor, "abs") ? kernel::canonical(-factor.arg(0)) : factor;
-      const Expr of = algebra::sign_of(other, facts, false) ? other : factor;
+      const bool is_abs = is_call(factor, "abs");
+      const Expr other = kernel::canonical(-(is_abs ? factor.arg(0) : factor));
+      const bool is_turned = (is_abs || n == 1) && algebra::sign_of(other, facts, false);
+      const Expr of = is_turned ? other : factor;
       const Expr least = forms.expression(atom(of, exponent(cln::cl_RA(1) / n)));
       const Expr whole = kernel::power(least, std::abs(k));
+      if (is_turned && !is_abs && k % 2 != 0) out = -out;
       out = k > 0 ? out * whole : out / whole;
     }
     return is_algebraic_term(out) ? std::optional(out) : std::nullopt;
@@ -188,6 +202,9 @@ struct Roots {
         known.push_back(algebra::by_powers(goal, order(e), known + Theorems{*sign}));
       }
     facts = facts + known;
+    add_strict(e, facts);
+    const Theorem base = algebra::turned(known[0]);
+    is_proved([&] { return facts.push_back(algebra::positive(base, facts)), true; });
   }
   /// One root as both sides are equal, if it is that: two could be written by one another.
   void solve_for_one(Expr goal) {
@@ -231,15 +248,21 @@ cln::cl_I work(Expr e, const cln::cl_I& d) {
   for (Expr part : e.args()) sum = sum + work(part, d);
   return e.op() == Op::Pow ? sum * e.exponent() : sum;
 }
-// Sums to high powers, of a few roots sooner, are names, for they are not multiplied out.
-void name_bases(Expr e, kernel::Substitution& names) {
+// Sums to high powers, of a few roots sooner, are names, for they are not multiplied out; each
+// in the order and with the sign that came first.
+void name_bases(Expr e, kernel::Substitution& names, Theorems& turned) {
   const auto most = [&] {
     return work(e.arg(0), 1) > few_roots ? most_of_roots : most_multiplied_out;
   };
   if (e.op() == Op::Pow && e.exponent() > most() && e.arg(0).op() == Op::Add &&
-      e.arg(0).sort() == kernel::Sort::Real && names.size() < std::size_t(most_multiplied_out))
+      e.arg(0).sort() == kernel::Sort::Real && names.size() < std::size_t(most_multiplied_out)) {
+    for (const auto& [name, base] : names)
+      for (Expr same : {base, -base})
+        if (kernel::canonical(same) == kernel::canonical(e.arg(0)))
+          return turned.push_back(algebra::linear(kernel::eq(same, e.arg(0))));
     names.emplace(kernel::real("base_" + std::to_string(names.size())), e.arg(0));
-  for (Expr part : e.args()) name_bases(part, names);
+  }
+  for (Expr part : e.args()) name_bases(part, names, turned);
 }
 // Sines of parts of pi by those of one part; false where they are too much.
 bool add_sines(Expr e, Roots& roots) {
@@ -272,8 +295,10 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
     kernel::refuse("certifies +, *, quotients, roots and sines of parts of pi alone");
   if (left.weight() + right.weight() > heaviest) kernel::refuse("certifies no sides so long");
   kernel::Substitution bases;
-  name_bases(left - right, bases);
+  Theorems turned;
+  name_bases(left - right, bases, turned);
   const auto named = [&](Expr e) {
+    for (const Theorem& is : turned) e = kernel::replace(e, algebra::right(is), algebra::left(is));
     for (const auto& [name, base] : bases) e = kernel::replace(e, base, name);
     return e;
   };
@@ -293,6 +318,7 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
       for (const Requirement& r : needs) is_proved([&] { return roots.forms.assume(r), true; });
     for (const Requirement& r : needs)
       if (!is_constant(r.term)) facts.push_back(kernel::assume(formula(r)));
+    for (const Requirement& r : needs) add_strict(r.term, facts);
     for (Expr e : parts_of(goal)) {
       if (e.op() != Op::Add) continue;
       for (Expr side : {e, kernel::canonical(-e)})
@@ -313,6 +339,7 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
       if (std::ranges::find(needs, h, formula) == needs.end() && !roots.definitions.contains(h))
         return false;  // a hypothesis that nobody is told of
     if (!bases.empty()) proved = kernel::instantiate(proved, bases);
+    for (const Theorem& is : turned) proved = kernel::rewrite(is, proved);
     for (std::size_t i = given.size(); i-- > 0;)
       proved = kernel::tautology(
           goals[i], {kernel::assume(given[i]),

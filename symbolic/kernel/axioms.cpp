@@ -1,6 +1,5 @@
 // The axioms of real analysis, one a line: each is true for ALL values of its variables, x, y real
-// and i, j integer. This is the one place that could say what 1/0 is; it does not, and nothing
-// needs it.
+// and i, j integer. This one place could say what 1/0 is; it does not, and nothing needs it.
 #include <algorithm>
 
 #include "kernel/theorem.hpp"

@@ -29,8 +29,7 @@ std::vector<Sort> sorts_of(const Exprs& params) {
 }
 }  // namespace
 
-// DEFINE. The function whose value is the term's, or the predicate that is true where the formula
-// is.
+// DEFINE. The function with the term's value, or the predicate that is true where the formula is.
 Theorem define(const std::string& name, const Exprs& params, Expr term, int hidden) {
   const std::vector<Sort> sorts = sorts_of(params);
   if (!is_term(term) && !is_matrix(term) && !is_formula(term))

@@ -20,8 +20,7 @@ struct Signature {
   std::string separator(std::size_t i) const;
 };
 const Signature* signature(const std::string& name);
-/// A function of which nothing is known. Refused: a name in use, or one that could be read as
-/// another.
+/// A function of which nothing is known. Refused: a name in use, or that could be read as another.
 void declare(const std::string& name, const Signature& s);
 /// Why the name cannot be a variable of that sort, or "".
 std::string why_no_variable(const std::string& name, Sort sort);

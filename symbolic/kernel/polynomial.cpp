@@ -74,7 +74,7 @@ Polynomial determinant(Expr a, int row, const std::vector<int>& cols) {
     std::vector<int> rest = cols;
     rest.erase(rest.begin() + std::ptrdiff_t(k));
     const Polynomial minor = polynomial(entry(a, row, cols[k])) * determinant(a, row + 1, rest);
-    out = k % 2 == 0 ? out + minor : out - minor;
+    out = k % 2 == 0 ? std::move(out) + minor : std::move(out) - minor;
   }
   return out;
 }
@@ -99,7 +99,7 @@ Polynomial computed(Expr t) {
     case Op::Bound:
       return atomic(t);
     case Op::Add:
-      for (Expr a : t.args()) p = p + polynomial(a);
+      for (Expr a : t.args()) p = std::move(p) + polynomial(a);
       return p;
     case Op::Mul:
       p = one();
@@ -133,12 +133,11 @@ Expr youngest_inverse(const Polynomial& p, const std::function<bool(Expr)>& is_k
       if (is_call(a, "inv") && is_known(a.arg(0)) && (!out || out < a)) out = a;
   return out;
 }
-Polynomial operator+(const Polynomial& a, const Polynomial& b) {
-  Polynomial p = a;
-  for (const auto& [m, q] : b) add(p, m, q);
-  return p;
+Polynomial operator+(Polynomial a, const Polynomial& b) {
+  for (const auto& [m, q] : b) add(a, m, q);
+  return a;
 }
-Polynomial operator-(const Polynomial& a, const Polynomial& b) { return a + scaled(b, -1); }
+Polynomial operator-(Polynomial a, const Polynomial& b) { return std::move(a) + scaled(b, -1); }
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
   if (a.size() * b.size() > 1000000) refuse("a product of more than a million monomials");
   Polynomial p;
@@ -152,7 +151,7 @@ Polynomial scaled(const Polynomial& a, const cln::cl_RA& q) {
   return p;
 }
 
-Polynomial polynomial(Expr t) {
+const Polynomial& polynomial(Expr t) {
   static std::map<Expr, Polynomial> known;
   if (const auto it = known.find(t); it != known.end()) return it->second;
   return known.emplace(t, computed(t)).first->second;

@@ -14,15 +14,14 @@ Polynomial one();
 int degree(const Monomial& m, Expr atom);
 /// The youngest atom inv(d) of p with a known d, else no Expr.
 Expr youngest_inverse(const Polynomial& p, const std::function<bool(Expr)>& is_known);
-// Refused: an exponent above 1,000,000, a product of more than a million monomials, numbers above a
-// million bits.
-Polynomial operator+(const Polynomial& a, const Polynomial& b);
-Polynomial operator-(const Polynomial& a, const Polynomial& b);
+// Refused: exponents above 1,000,000, products of over a million monomials, numbers of more bits.
+Polynomial operator+(Polynomial a, const Polynomial& b);
+Polynomial operator-(Polynomial a, const Polynomial& b);
 Polynomial operator*(const Polynomial& a, const Polynomial& b);
 Polynomial scaled(const Polynomial& a, const cln::cl_RA& q);
 
-/// Equal in value to the term, whatever the values of the atoms are.
-Polynomial polynomial(Expr term);
+/// Equal in value to the term, whatever the values of the atoms are; computed once.
+const Polynomial& polynomial(Expr term);
 Expr expression(const Polynomial& p);
 /// Every largest term in e as an expanded polynomial: the same value, or the same truth value.
 Expr canonical(Expr e);

@@ -127,7 +127,6 @@ void restrict_domain(const std::string& name, const Exprs& params, Expr conditio
 /// For each term with a restricted domain its condition, under what the formula says before it.
 /// Predicates are unfolded by their definitions.
 Exprs needs(Expr formula);
-/// The same for hypotheses |- conclusion: each hypothesis under those before it, then the
-/// conclusion under all of them.
+/// The same for hypotheses |- conclusion: each hypothesis under those before it; the conclusion.
 Exprs needs(const Theorem& t);
 }  // namespace kernel

@@ -56,6 +56,31 @@ protected:
     const std::string left = typed(from, at);
     note(left + " " + factor.quoted + "... is read as (" + left + ")*" + factor.quoted + "...");
   }
+  // sin(n + 1/4) psi, \sin(4n+1)\frac{x}{4}: is an angle missing? log(x)^-1: of which of both?
+  void read_after_bracket(const Token& function, const std::string& taken, Expr argument) {
+    const std::string &f = function.quoted, &name = function.text;
+    const bool is_inverse = name == "log" || name == "ln" ||
+                            (name[0] == 'a' && is_function(name.substr(name[1] == 'r' ? 3 : 1)));
+    if (is_inverse && is("^")) {
+      const std::string& open = words[place + 1].text;
+      const std::size_t inside = open == "(" || open == "{" ? place + 2 : place + 1;
+      if (words[inside].text == "-")
+        refuse_here(f + taken + "^-... has two readings: write 1/" + f + taken + " or " + f +
+                    "(1/" + taken + ")");
+      note(f + taken + "^... is read as (" + f + taken + ")^...");
+    }
+    if (!is_name() && !is("frac")) return;
+    const std::string next = now().quoted + (is("frac") ? "..." : ""), factor = "*" + next;
+    static const std::set<std::string> of_angles{"sin", "cos", "tan", "sec", "csc", "cot"};
+    const auto names = symbols_of(argument);
+    if (of_angles.contains(name) && std::ranges::all_of(names, [](const std::string& index) {
+          return index.size() == 1 && index[0] >= 'i' && index[0] <= 'n';
+        }))
+      refuse_here(f + taken + next + " has two readings: write " + f + "(" + taken + factor +
+                  ") or " + f + taken + factor);
+    if (argument.op() == kernel::Op::Add || argument.op() == kernel::Op::Num)
+      note(f + taken + next + " is read as " + f + taken + factor);
+  }
   // x > 1 y > 2 and 0 < 2 x < 1: a product, or is a comma missing?
   void refuse_two_conditions(std::size_t from) const {
     for (std::size_t i = from + 1; i < place; ++i)

@@ -154,6 +154,7 @@ private:
     const Expr e = sum();
     close("|", token.column);
     --bars;
+    if (is_matrix(e)) refuse_at(token.column, "abs of a matrix");
     return notation::call("abs", e);
   }
   Expr inside(const Token& opened) {
@@ -288,8 +289,7 @@ private:
       e = times(e, primary(), now().column);
     if (is_matrix(e)) refuse_at(words[from].column, f + " of a matrix");
     const std::string taken = typed(from, place), more = typed(from, place + 1);
-    if (is_bracket && !is_root && (e.op() == Op::Add || e.op() == Op::Num) && is_name())
-      note(f + more + " is read as " + f + taken + "*" + now().quoted);  // sin(n + 1/4) psi
+    if (is_bracket && !is_root) read_after_bracket(token, taken, e);
     if (is_bracket) return e;
     const bool is_alone = token.is_latex && !(is_number && place == first);
     const bool is_product = is("*") && !is_alone && !is_call(words[place + 1]);

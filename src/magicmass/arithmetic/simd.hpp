@@ -85,8 +85,7 @@ template <class T>
 #endif
 }
 
-/// x y + z, rounded once. Where `has_fma` is false it is libm's function: slow, but all targets
-/// give the same bits.
+/// x y + z, rounded once. Without `has_fma` it is libm's function: slow, but with the same bits.
 [[gnu::always_inline]] inline double fused(double x, double y, double z) {
   return __builtin_fma(x, y, z);
 }

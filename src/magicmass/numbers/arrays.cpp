@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Arrays: block by block through this processor's kernels; rows that these leave open climb the
-// ladder of single numbers.
+// Arrays: by blocks through this processor's kernels; rows left open climb the ladder of singles.
 #include <algorithm>
 #include <initializer_list>
 #include <limits>

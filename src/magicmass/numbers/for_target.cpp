@@ -58,8 +58,7 @@ bool collapse(Collapse& result, const Masses& masses, double e) {
   return single<generated::Collapse, generated::Accurate>(result, masses.ball, masses.per_B, e);
 }
 
-/// Full registers through the main case, a stage at a time for some of them; what is left over, one
-/// number at a time.
+/// Full registers through the main case, a stage at a time for some; what is left, one by one.
 template <class Q, class Tier>
 [[gnu::always_inline]] inline std::size_t rows_of(std::size_t size,
                                                   const typename Q::Columns& columns, Open& open) {

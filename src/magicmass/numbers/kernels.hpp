@@ -29,8 +29,7 @@ using Open = std::uint16_t[longest_block];
 /// Single numbers by tier, with whether the result is certain.
 template <class Result, class... In>
 using Ladder = bool (*[4])(Result& result, In... in);
-/// The last tier, for inputs that have an answer, magic: k >= 2. Throw Undecided where the last
-/// precision does not do.
+/// The last tier, for inputs with an answer, magic: k >= 2. Undecided: the last precision fails.
 bool velocities_by_mpfr(Velocities& result, double alpha, std::int64_t n);
 bool terminal_by_mpfr(Terminal& result, double alpha);
 bool collision_by_mpfr(Collision& result, double alpha, std::int64_t j);

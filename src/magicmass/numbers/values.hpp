@@ -42,8 +42,7 @@ struct Collision {
   double s = 0;
   friend bool operator==(const Collision&, const Collision&) = default;
 };
-/// The end of infinitely many collisions at t, as above: all three then move with velocity v, and B
-/// has the share rho of the energy.
+/// Infinitely many collisions are over at t: all three have velocity v, B the share rho of energy.
 struct Collapse {
   double t = 0, v = 0, rho = 0;
 };

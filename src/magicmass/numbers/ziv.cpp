@@ -125,8 +125,7 @@ bool terminal_by_mpfr(Terminal& result, double alpha) {
 }
 /// Signs first: of polynomials, exact in the last precision. pi/h is a whole number only where the
 /// cosine of h, whose square is rational, is that of pi/3, pi/4 or pi/6 (Niven). At pi/3 two
-/// collisions are all. At the others the next M_C has the same counts, and is off by two envelopes
-/// at the most.
+/// collisions are all. At the others the next M_C has the same counts, at most two envelopes off.
 bool restitution_by_mpfr(Terminal& result, Masses masses, double e) {
   const AllExponents here;
   MpfrFloat::bits = last_bits;

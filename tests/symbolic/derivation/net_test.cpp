@@ -1,5 +1,4 @@
-// Each theorem of the book at random points, and false statements beside true ones that are seen;
-// the paper's labels.
+// Each theorem of the book at random points; false statements are seen; the paper's labels.
 #include <algorithm>
 #include <random>
 

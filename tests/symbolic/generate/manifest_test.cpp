@@ -1,5 +1,4 @@
-// generated/ is what the theorems give; the manifest tells of every header, and each header says
-// what the manifest does.
+// generated/ is what the theorems give; the manifest tells of every header, each as that says.
 #include <filesystem>
 #include <regex>
 

@@ -23,8 +23,7 @@ std::string bare(std::string code) {
   code = std::regex_replace(code, std::regex(R"(# )"), "#");
   return std::regex_replace(code, std::regex("using namespace (::)?kernel"), "using kernel");
 }
-/// C++ below the folders that sees the kernel and is not in it: it includes a file of it, or
-/// one that sees it.
+/// C++ in the folders that sees the kernel, not in it: it includes a file of it, or one that does.
 std::map<std::string, std::string> seeing(const std::vector<fs::path>& folders) {
   std::map<std::string, std::string> all, found;
   for (const fs::path& folder : folders)

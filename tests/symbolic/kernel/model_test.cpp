@@ -1,5 +1,4 @@
-// Random terms and formulas against a model in exact rationals, where sin is any function and 1/0
-// is 7.
+// Random terms and formulas against a model in exact rationals: sin is any function, 1/0 is 7.
 #include <random>
 
 #include "attack.hpp"

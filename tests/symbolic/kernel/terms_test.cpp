@@ -1,5 +1,4 @@
-// Attacks on terms: names, sorts, bound indices, sizes; on matrices as terms: entries, shapes,
-// powers, determinants.
+// Attacks on terms: names, sorts, bound indices, sizes; matrices: entries, shapes, powers, det.
 
 #include <functional>
 

@@ -24,8 +24,7 @@ struct Program {
 
 namespace nodes {
 
-// From formulas in which operands come before their operation: "a1+" is alpha + 1. Each node is new
-// unless `is_shared`.
+// From formulas with operands before their operation: "a1+" is alpha + 1. Nodes are new or shared.
 inline Program written(const std::vector<std::string>& formulas, bool is_shared) {
   Program program;
   std::vector<int> stack;

@@ -13,8 +13,7 @@ using namespace magicmass;
 constexpr std::size_t rows = 3840;
 constexpr int passes = 200;
 
-/// The paper's formulas typed in, V = 1: the baseline, not to be trusted near thresholds. This one
-/// shares its trigonometry.
+/// The paper's formulas typed in, V = 1: the baseline, wrong near thresholds; shares trigonometry.
 [[gnu::noinline]] Velocities naive_velocities(double alpha, std::int64_t n) {
   const double psi = 2 * std::atan(std::sqrt(alpha * (2 + alpha)));
   const double V = 1 / (2 + alpha);

@@ -1,5 +1,4 @@
-// Single numbers of both tiers against the oracle: the collision law alone, in rationals and
-// intervals.
+// Single numbers of both tiers against the oracle: the collision law, in rationals and intervals.
 #include <map>
 
 #include <cln/float.h>
@@ -32,8 +31,7 @@ double in_envelopes(const Numbers& got, double alpha, const auto& quantity) {
   return most;
 }
 
-// Each holds what both tiers say against the oracle: accurate is rounded right; the largest error
-// of fast in envelopes.
+// What both tiers say against the oracle: accurate is rounded right; fast's worst in envelopes.
 double velocities(double alpha, std::int64_t n) {
   const oracle::OfCycle exact(whole(n));
   REQUIRE(values_of(accurate::velocities(alpha, n)) == nearest_doubles(alpha, exact));
@@ -87,8 +85,7 @@ const std::map<std::string, Quantity> quantities{{"velocities", {velocities, 3}}
                                                  {"ratios", {ratios, 1}},
                                                  {"angle", {angle, 1}}};
 
-/// Errors of fast are at most 2^-50 of its body's fastest. The ball is fastest in the middle, B at
-/// the end.
+/// Errors of fast are at most 2^-50 of its body's fastest: the ball's midway, B's at the end.
 void check_shares(double alpha, std::int64_t n) {
   const std::optional<Terminal> got = fast::terminal(alpha);
   if (!got) return;

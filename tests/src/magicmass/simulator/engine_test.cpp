@@ -76,8 +76,7 @@ std::string broken_law(const Line<cl_RA>& line, const std::vector<Collision<cl_R
   return "";
 }
 
-/// Runs a line and its mirror image, and compares all that is told; returns how many pairs of gaps
-/// that share a body closed at once.
+/// Compares a line and its mirror image; returns how many gaps that share a body closed at once.
 template <class Scalar>
 std::int64_t compared_with_mirror(const Line<Scalar>& line) {
   const auto negated = [](const Scalar& x) { return Scalar(0) - x; };
