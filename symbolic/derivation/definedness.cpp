@@ -1,5 +1,4 @@
-// Do the terms of a shown statement make sense? The kernel says what they need; it is proved here,
-// or the statement is not shown.
+// Do the terms of a shown statement make sense? What the kernel says they need is proved here.
 #include <algorithm>
 
 #include "algebra/tactics.hpp"

@@ -132,8 +132,7 @@ Theorem specialize(const Theorem& t, Expr term) {
   return Theorem(t.hypotheses(), open(t.conclusion(), term), {"specialize", {t}, {term}});
 }
 
-// REWRITE. Equal values in the same place. l and r hold no loose index, so that the equation means
-// the same under every quantifier.
+// REWRITE. Equal values in the same place, also under quantifiers: l and r hold no loose index.
 Theorem rewrite(const Theorem& equation, const Theorem& t) {
   const Expr e = equation.conclusion();
   if (e.op() != Op::Eq) refuse("not an equation: " + brief(e));

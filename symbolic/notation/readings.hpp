@@ -56,6 +56,12 @@ protected:
     const std::string left = typed(from, at);
     note(left + " " + factor.quoted + "... is read as (" + left + ")*" + factor.quoted + "...");
   }
+  // i to n: no angle.
+  static bool is_of_indices(Expr e) {
+    return std::ranges::all_of(symbols_of(e), [](const std::string& name) {
+      return name.size() == 1 && name[0] >= 'i' && name[0] <= 'n';
+    });
+  }
   // sin(n + 1/4) psi, \sin(4n+1)\frac{x}{4}: is an angle missing? log(x)^-1: of which of both?
   void read_after_bracket(const Token& function, const std::string& taken, Expr argument) {
     const std::string &f = function.quoted, &name = function.text;
@@ -72,10 +78,7 @@ protected:
     if (!is_name() && !is("frac")) return;
     const std::string next = now().quoted + (is("frac") ? "..." : ""), factor = "*" + next;
     static const std::set<std::string> of_angles{"sin", "cos", "tan", "sec", "csc", "cot"};
-    const auto names = symbols_of(argument);
-    if (of_angles.contains(name) && std::ranges::all_of(names, [](const std::string& index) {
-          return index.size() == 1 && index[0] >= 'i' && index[0] <= 'n';
-        }))
+    if (of_angles.contains(name) && is_of_indices(argument))
       refuse_here(f + taken + next + " has two readings: write " + f + "(" + taken + factor +
                   ") or " + f + taken + factor);
     if (argument.op() == kernel::Op::Add || argument.op() == kernel::Op::Num)

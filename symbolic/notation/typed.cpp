@@ -281,7 +281,8 @@ private:
     Expr e = is_bracket ? inside(next()) : primary();
     const std::size_t first = place;
     const bool is_fraction = is_half || (words[from].text == "frac" && e.op() == Op::Num);
-    const bool is_number = is_fraction || words[from].kind == Kind::Number;
+    const bool is_index = words[from].kind == Kind::Name && is_of_indices(e);  // cos nψ
+    const bool is_number = is_fraction || is_index || words[from].kind == Kind::Number;
     const bool many = !is_root && !is_bracket && (is_number || (token.is_latex && !is_term));
     if (many && is_fraction && (is("(") || now().kind == Kind::Command))
       e = times(e, primary(), now().column);

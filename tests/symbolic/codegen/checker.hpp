@@ -1,8 +1,7 @@
 // An independent check of what each term of a theorem may be off by, in all tiers and MPFR: it sees
 // nothing of the generator, nor of its table. At a point of a case it walks the theorems' terms
 // itself, in balls, and counts the roundings of the runtime's operations, each at most half an ulp,
-// in the order of double_double.hpp and functions.hpp. Functions count as at the end of their
-// domain, where they lose most.
+// in the order of double_double.hpp and functions.hpp; functions as at their domain's worst end.
 #pragma once
 #include <algorithm>
 #include <bit>

@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-// One operation. `does` is 'a' for alpha, 'n' for n, '=' for the constant `value`; '+', '-', '*'
-// and '/' of the nodes left and right; 'r' for the root, 's' sine, 'c' cosine, 't' arctangent of
-// left. What is not used is 0.
+// One operation. `does`: 'a' alpha, 'n' n, '=' the constant `value`; '+', '-', '*', '/' of nodes
+// left and right; 'r' root, 's' sine, 'c' cosine, 't' arctangent of left. What is not used is 0.
 struct Node {
   char does;
   int left, right;
