@@ -287,7 +287,7 @@ Judgement judge_derivation(const Exercise& e, const std::string& text, Texts& no
   const std::string environment =  // of LaTeX, as {align}
       R"(\\(begin|end|tag|label)\*?\{[^{}]{1,40}\}|\\no(tag|number)|&)";
   std::string plain = replaced(text, environment, [](const Texts&) { return ""; });
-  for (const char* between : {"\\\\", "=>", "⇒", "⇔", "∴", "\\Rightarrow", "\\Leftrightarrow",
+  for (const char* between : {"\\\\", "->", "=>", "⇒", "⇔", "∴", "\\Rightarrow", "\\Leftrightarrow",
                               "\\implies", "\\iff", "\\therefore"})
     replace_all(plain, between, "\n");
   Texts lines = split(plain, '\n');

@@ -80,8 +80,7 @@ Theorem angle(Book& book, const Theorem& q_is) {
 }
 /// Speeds, weighed as the ball's approach to B counts.
 Expr weighed(Expr of_A, Expr of_B, Expr now, Expr last) { return of_A * now + of_B * r_e() * last; }
-/// Places at a time tau after collision j, seen from B's first one; velocities, where no distance
-/// is given and tau is 1.
+/// Places at tau after collision j, seen from B's first one; velocities: no distance, tau is 1.
 void places(const Forms& forms, const InUnit& units) {
   const Substitution distances = start_with(d_A, d_B);
   const auto name = [&](const std::string& symbol, Expr v) {

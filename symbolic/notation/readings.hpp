@@ -1,6 +1,8 @@
 // Where what people type has two readings: it is refused with both, or a note says how it was read.
 #pragma once
 
+#include <span>
+
 #include "notation/tokens.hpp"
 #include "notation/typed.hpp"
 
@@ -50,7 +52,9 @@ protected:
     const std::size_t last = words[at - 2].text == "^" ? at - 3 : at - 1;
     const bool brackets = words[slash + 1].text == "(" && words[last].text == ")";
     const Token& factor = words[at];
-    if (!factor.is_spaced || (!numbers && !brackets && !is_call(factor)))
+    const std::span above(&words[from], slash - from);  // sin x/V sin y has two
+    const bool is_apart = is_call(factor) && std::ranges::none_of(above, is_call);
+    if (!factor.is_spaced || (!numbers && !brackets && !is_apart))
       refuse_at(factor.column, "is " + factor.quoted +
                                    " above or below the fraction line? write a * or parentheses");
     const std::string left = typed(from, at);

@@ -189,9 +189,9 @@ private:
     ++at;
     return greek->second;
   }
-  // \rm, \text, \mathrm: letters stand upright.
+  // \rm, \text, \textit, \mathrm, \mathit...
   bool skips_font() {
-    const bool skips = takes(U"\\rm") || takes(U"\\text") || takes(U"\\mathrm");
+    const bool skips = takes(U"\\rm") || takes(U"\\text") || takes(U"\\math");
     if (skips) run(is_letter);
     return skips;
   }

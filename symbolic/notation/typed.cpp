@@ -136,8 +136,12 @@ private:
     const Expr exponent = nested(&Parser::signed_factor);
     if (from > 1 && words[from - 1].text == "^")  // x^y^z
       note(typed(from - 1, place) + " is read as ^(" + typed(from, place) + ")");
-    if (is_matrix(base) && exponent == symbol("T"))  // (a, b) is a column already
-      return words[from].text == "(" ? base : matrix(base.rows(), entries(transpose(base)));
+    if (is_matrix(base) && exponent == symbol("T")) {  // (a, b) is a column already
+      std::size_t inner = from;
+      while (words[inner].text == "(") ++inner;
+      const bool is_list = base.cols() == 1 && inner > from && words[inner].text != "[";
+      return is_list ? base : matrix(base.rows(), entries(transpose(base)));
+    }
     return raised_to(base, exponent, column);
   }
   Expr primary() { return nested(&Parser::operand); }

@@ -41,8 +41,7 @@ void refuses(const Quantity& q, const std::string& why) {
   CHECK_THROWS_WITH(analysis(q), ContainsSubstring(why));
 }
 
-/// f_0 = 1, f_1 = alpha, f_(2m) = 2 f_m^2 - 1, f_(2m+1) = 2 f_m f_(m+1) - f_1: assumed, as only
-/// their shape matters here.
+/// f_0 = 1, f_1 = alpha, f_(2m) = 2 f_m^2 - 1, f_(2m+1) = 2 f_m f_(m+1) - f_1: for their shape.
 Expr f(Expr index) {
   if (!is_known("doubled")) declare("doubled", {{Sort::Real, Sort::Int}, Sort::Real});
   return fun("doubled", {alpha, index});

@@ -1,5 +1,4 @@
-// Simd and the few functions under it that work on bits; the rounding test and the tests of signs
-// and ranges, at their edges from both sides.
+// Simd and functions of bits; tests of rounding, signs and ranges at their edges from both sides.
 
 #include <cmath>
 #include <limits>

@@ -1,5 +1,4 @@
-// Numbers as scenes write them, and scenes from text to what they come to: in doubles, in exact
-// numbers, and of cradles by theorem.
+// Numbers as scenes write them; scenes from text to their end: in doubles, exactly, by theorem.
 #include <random>
 
 #include "magicmass/scenes/files.hpp"
