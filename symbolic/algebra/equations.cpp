@@ -1,3 +1,5 @@
+#include <unordered_map>
+
 #include "algebra/tactics.hpp"
 
 namespace algebra {
@@ -14,11 +16,12 @@ struct Search {
     if (before.size() != 1 || before.begin()->second != 1)
       refuse("a rule rewrites a monomial, not " + text(left(rule)));
     Polynomial quotient;
-    for (const auto& [monomial, coefficient] : remainder)
-      if (const auto rest = divided(monomial, before.begin()->first))
-        quotient.emplace(*rest, coefficient);
+    std::erase_if(remainder, [&](const auto& term) {
+      const auto rest = divided(term.first, before.begin()->first);
+      return rest && quotient.emplace(*rest, term.second).second;
+    });
     if (quotient.empty()) return false;
-    remainder = std::move(remainder) + quotient * (polynomial(right(rule)) - before);
+    remainder = std::move(remainder) + quotient * polynomial(right(rule));
     cofactor = std::move(cofactor) - quotient;
     return true;
   }
@@ -44,21 +47,18 @@ struct Search {
 }  // namespace
 
 std::optional<Monomial> divided(const Monomial& monomial, const Monomial& by) {
+  for (const auto& [a, k] : by)
+    if (degree(monomial, a) < k) return {};
   Monomial quotient;
-  std::size_t used = 0;
-  for (const auto& [a, k] : monomial) {
-    const int j = degree(by, a);
-    if (j > 0) ++used;
-    if (k < j) return {};
-    if (k > j) quotient.emplace_back(a, k - j);
-  }
-  if (used != by.size()) return {};
+  quotient.reserve(monomial.size());
+  for (const auto& [a, k] : monomial)
+    if (const int j = degree(by, a); k > j) quotient.emplace_back(a, k - j);
   return quotient;
 }
 Expr gap(Expr relation) {
-  static std::map<Expr, Expr> known;
+  static std::unordered_map<std::size_t, Expr> known;  // by id
   if (relation.op() == Op::Not) return gap(relation.arg(0));
-  Expr& is = known[relation];
+  Expr& is = known[relation.id()];
   return is ? is : is = relation.arg(1) - relation.arg(0);
 }
 

@@ -47,7 +47,7 @@ std::optional<Theorem> sign_of_sum(Expr t, const Theorems& facts, bool strict) {
   std::vector<Certificate::Product> products;
   bool some_strict = false;
   for (const Expr& a : t.args()) {
-    auto s = strict ? sign(a, facts, true) : std::nullopt;
+    auto s = strict && !some_strict ? sign(a, facts, true) : std::nullopt;
     some_strict = some_strict || s;
     if (!s) s = sign(a, facts, false);
     if (!s) return {};

@@ -23,7 +23,7 @@ Polynomial sum_of_equations(const Certificate& c) {
   for (const auto& [cofactor, t] : c.equations) {
     if (!is(t, Op::Eq)) refuse("a cofactor belongs to an equation, not to " + text(t));
     if (!is_term(cofactor)) refuse("a cofactor must be a term");
-    out = out + polynomial(cofactor) * difference(t);
+    out = std::move(out) + polynomial(cofactor) * difference(t);
   }
   return out;
 }
@@ -50,7 +50,7 @@ Polynomial sum_of_products(Expr goal, const Certificate& c) {
   if (goal.op() == Op::Lt && std::none_of(c.products.begin(), c.products.end(), is_positive))
     refuse("no product is proved positive, so that < does not follow");
   Polynomial out;
-  for (const auto& p : c.products) out = out + value_of(p);
+  for (const auto& p : c.products) out = std::move(out) + value_of(p);
   return out;
 }
 Polynomial multiplier(Expr goal, const Certificate& c) {
@@ -81,10 +81,9 @@ Polynomial without(const Polynomial& e, Expr inverse, const Polynomial& d) {
   for (int j = 0; j < k; ++j) powers.push_back(powers.back() * d);
   Polynomial out;
   for (const auto& [m, q] : e) {
-    Monomial rest;
-    for (const auto& [a, j] : m)
-      if (!(a == inverse)) rest.emplace_back(a, j);
-    out = out + Polynomial{{rest, q}} * powers[std::size_t(k - degree(m, inverse))];
+    Monomial rest = m;
+    std::erase_if(rest, [&](const auto& power) { return power.first == inverse; });
+    out = std::move(out) + Polynomial{{rest, q}} * powers[std::size_t(k - degree(m, inverse))];
   }
   return out;
 }

@@ -2,15 +2,14 @@
 #include "kernel/polynomial.hpp"
 
 #include <numeric>
+#include <unordered_map>
 
 namespace kernel {
 namespace {
 constexpr int max_exponent = 1000000;
 constexpr unsigned max_bits = 1000000;
-void add(Polynomial& p, const Monomial& m, const cln::cl_RA& q) {
-  if (q == 0) return;
-  const auto [it, fresh] = p.emplace(m, q);
-  if (fresh) return;
+void add(Polynomial& p, Monomial m, const cln::cl_RA& q) {
+  const auto it = p.try_emplace(std::move(m), 0).first;
   it->second = it->second + q;
   if (it->second == 0) p.erase(it);
 }
@@ -22,6 +21,7 @@ cln::cl_RA bounded(const cln::cl_RA& q) {
 }
 Monomial times(const Monomial& a, const Monomial& b) {
   Monomial out;
+  out.reserve(a.size() + b.size());
   auto i = a.begin();
   auto j = b.begin();
   while (i != a.end() || j != b.end()) {
@@ -147,14 +147,15 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
 }
 Polynomial scaled(const Polynomial& a, const cln::cl_RA& q) {
   Polynomial p;
-  for (const auto& [m, r] : a) add(p, m, bounded(q * r));
+  if (q == 0) return p;
+  for (const auto& [m, r] : a) p.emplace_hint(p.end(), m, bounded(q * r));
   return p;
 }
 
 const Polynomial& polynomial(Expr t) {
-  static std::map<Expr, Polynomial> known;
-  if (const auto it = known.find(t); it != known.end()) return it->second;
-  return known.emplace(t, computed(t)).first->second;
+  static std::unordered_map<std::size_t, Polynomial> known;  // by id
+  if (const auto it = known.find(t.id()); it != known.end()) return it->second;
+  return known.emplace(t.id(), computed(t)).first->second;
 }
 Expr expression(const Polynomial& p) {
   Exprs terms;
@@ -168,8 +169,8 @@ Expr expression(const Polynomial& p) {
 }
 
 Expr canonical(Expr e) {
-  static std::map<Expr, Expr> known;
-  if (const auto it = known.find(e); it != known.end()) return it->second;
-  return known.emplace(e, computed_canonical(e)).first->second;
+  static std::unordered_map<std::size_t, Expr> known;  // by id
+  if (const auto it = known.find(e.id()); it != known.end()) return it->second;
+  return known.emplace(e.id(), computed_canonical(e)).first->second;
 }
 }  // namespace kernel

@@ -21,13 +21,14 @@ cl_R value(Expr term, const Point& point);
 
 /// A name that the book makes for evaluation alone, such as plus_n, is what its definition says.
 Expr defined(Expr e) {
-  for (const auto& chapter : the_book().chapters())
-    for (const auto& s : chapter.statements)
-      if (s.id == chapter.name + ".def_" + e.name()) {
-        const Expr definition = s.theorem.conclusion();
-        return substitute(definition.arg(1), definition.arg(0).args(), e.args());
-      }
-  return {};
+  static std::map<std::string, Expr> definitions;
+  if (definitions.empty())
+    for (const auto& chapter : the_book().chapters())
+      for (const auto& s : chapter.statements)
+        if (const std::size_t at = s.id.find(".def_"); at != std::string::npos)
+          definitions.emplace(s.id.substr(at + 5), s.theorem.conclusion());
+  const Expr is = definitions[e.name()];
+  return is ? substitute(is.arg(1), is.arg(0).args(), e.args()) : is;
 }
 cl_R of_function(Expr e, const std::vector<cl_R>& x) {
   const std::string f = e.name();
