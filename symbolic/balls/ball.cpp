@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include <cln/real.h>
@@ -111,8 +112,11 @@ Ball atan(const Ball& x) {
   for (int k = 0; k < halvings; ++k) t = t / (Ball(1) + sqrt(Ball(1) + t * t));
   return Ball(1 << halvings) * Ball::odd_powers(t, -(t * t));
 }
-Ball Ball::pi() {  // Machin
-  return Ball(16) * atan(Ball(cl_RA(1) / 5)) - Ball(4) * atan(Ball(cl_RA(1) / 239));
+Ball Ball::pi() {  // Machin, once for these bits
+  static std::map<int, Ball> known;
+  const auto [it, fresh] = known.try_emplace(bits);
+  if (fresh) it->second = Ball(16) * atan(Ball(1) / 5) - Ball(4) * atan(Ball(1) / 239);
+  return it->second;
 }
 Ball exp(const Ball& x) {
   if (x.high() > 100000) throw NotCertain("an exponential of what may be above 10^5");
