@@ -29,7 +29,7 @@ std::string before_decimals(const std::string& text, Texts& notes) {
   const auto is_name = [&] { return !matched(part[1], R"([\w'\\{}\x80-\xff]+)").empty(); };
   if (part.empty() || (is_name() && part[1].find_first_not_of("0123456789.") != part[1].npos))
     return text;
-  notes.push_back("what stands behind ≈ is not read");
+  notes.push_back("what follows ≈ is not read");
   return part[1];
 }
 

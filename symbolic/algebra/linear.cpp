@@ -65,7 +65,8 @@ bool eliminate_unknown(std::vector<Row>& rows) {
   rows = std::move(rest);
   return true;
 }
-/// A false constant row: of[0] (-D) + sum of facts = c, D = (sum - c)/of[0]; 0: facts are absurd.
+/// A constant row that is false: of[0] (-D) + sum of facts = c, so D = (sum - c)/of[0]; with of[0]
+/// = 0 the facts contradict each other.
 Theorem from_contradiction(const Row& row, Expr goal, const Theorems& facts) {
   const bool absurd = row.of[0] == 0;
   const cl_RA scale = absurd ? cl_RA(1) : row.of[0];

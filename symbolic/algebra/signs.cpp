@@ -96,6 +96,8 @@ std::optional<Theorem> by_shape(Expr t, const Theorems& facts, bool strict) {
 std::optional<Theorem> sign(Expr t, const Theorems& facts, bool strict) {
   for (const Theorem& f : facts + known()) {
     const Op op = f.conclusion().op();
+    if (strict && op == Op::Not && canonical(f.conclusion()) == canonical(neq(t, 0)))
+      if (const auto weak = sign(t, facts, false)) return follows(lt(0, t), {f, *weak});
     if (op != Op::Lt && (strict || op != Op::Le)) continue;
     if (canonical(gap(f)) == canonical(t)) return shown(t, strict, {{1, {f}}});
   }

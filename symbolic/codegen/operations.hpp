@@ -1,4 +1,4 @@
-// THE table: what each operation of a number type loses, and the low part it leaves: every bound.
+// THE table that all bounds rest on: what each operation of a number type loses and leaves below.
 #pragma once
 
 #include "codegen/exact.hpp"

@@ -92,7 +92,8 @@ Theorem orthogonal(Book& book, const Theorems& names, int size) {
   return is;
 }
 
-/// An orthogonal matrix of the plane is a rotation, which is returned; or after a reflection (-1).
+/// An orthogonal matrix of the plane is a rotation, after a reflection where its determinant is -1.
+/// Returns what is shown for a rotation.
 Theorems in_the_plane(Book& book, const Theorems& names, const Theorem& is) {
   const Expr o = matrix_of_names(2);
   const Expr p = entry(o, 0, 0), q = entry(o, 0, 1), r = entry(o, 1, 0), s = entry(o, 1, 1);

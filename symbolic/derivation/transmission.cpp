@@ -1,4 +1,4 @@
-// What collisions with losses let through: the paper's four equations; B's share after two cycles.
+// What collisions with losses let through: the paper's four equations, B's share in two cycles.
 #include "derivation/wedge.hpp"
 
 namespace derivation {

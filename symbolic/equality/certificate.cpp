@@ -57,17 +57,6 @@ Theorem not_zero(Expr c, const Theorems& facts) {
   proof.equations.emplace_back(inverse, kernel::assume(zero));
   return algebra::refute(zero, kernel::arithmetic(kernel::lt(0, 0), proof));
 }
-// 0 < t from 0 <= t and not t = 0, if both are known.
-void add_strict(Expr t, Theorems& facts) {
-  const auto not_zero = std::ranges::find_if(facts, [&](const Theorem& f) {
-    return kernel::canonical(f.conclusion()) == kernel::canonical(kernel::neq(t, 0));
-  });
-  if (not_zero != facts.end())
-    is_proved([&] {
-      const Theorems both{*not_zero, algebra::not_negative(t, facts)};
-      return facts.push_back(algebra::follows(kernel::lt(0, t), both)), true;
-    });
-}
 /// less < more or less <= more, from their squares.
 std::optional<Theorem> is_less(Expr less, Expr more, const Theorems& facts) {
   for (auto is : {kernel::lt, kernel::le}) try {
@@ -202,7 +191,6 @@ struct Roots {
         known.push_back(algebra::by_powers(goal, order(e), known + Theorems{*sign}));
       }
     facts = facts + known;
-    add_strict(e, facts);
     const Theorem base = algebra::turned(known[0]);
     is_proved([&] { return facts.push_back(algebra::positive(base, facts)), true; });
   }
@@ -318,7 +306,6 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
       for (const Requirement& r : needs) is_proved([&] { return roots.forms.assume(r), true; });
     for (const Requirement& r : needs)
       if (!is_constant(r.term)) facts.push_back(kernel::assume(formula(r)));
-    for (const Requirement& r : needs) add_strict(r.term, facts);
     for (Expr e : parts_of(goal)) {
       if (e.op() != Op::Add) continue;
       for (Expr side : {e, kernel::canonical(-e)})

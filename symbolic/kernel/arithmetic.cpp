@@ -120,7 +120,8 @@ Theorem arithmetic(Expr goal, const Certificate& c) {
   return Theorem(united(premises), goal, {"arithmetic", premises, {goal}, {}, c});
 }
 
-// INDUCTION. On n - lo: base f at lo; the step holds for every n >= lo, n in no hypothesis nor lo.
+// INDUCTION. By induction on n - lo: the base is f at lo; the step holds for every n >= lo, because
+// n is in no hypothesis and not in lo.
 Theorem induction(Expr n, Expr lo, Expr f, const Theorem& base, const Theorem& step) {
   if (n.op() != Op::Var || n.sort() != Sort::Int || lo.sort() != Sort::Int)
     refuse("induction is over an integer variable, from an integer on");

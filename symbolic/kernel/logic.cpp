@@ -7,7 +7,8 @@ namespace kernel {
 // ASSUME. Where f is true, f is true.
 Theorem assume(Expr f) { return Theorem({f}, f, {"assume", {}, {f}}); }
 
-// DISCHARGE. Where H - {f} is true, f is false and the implication true, or H is true, and so is c.
+// DISCHARGE. Where H - {f} is true, either f is false, and the implication is true, or all of H is
+// true, and so is c.
 Theorem discharge(Expr f, const Theorem& t) {
   Exprs rest;
   for (Expr h : t.hypotheses())
@@ -114,7 +115,8 @@ Theorem tautology(Expr goal, const Theorems& from) {
 }
 
 // INSTANTIATE. The theorem holds for all values of its variables, so for the values of the terms;
-// integers only for integers (substitute checks); nothing is captured: bound variables are indices.
+// an integer variable gets an integer only (substitute checks it); bound variables are indices, so
+// that nothing is captured.
 Theorem instantiate(const Theorem& t, const Substitution& s) {
   Exprs hypotheses;
   for (Expr f : t.hypotheses()) hypotheses.push_back(substitute(f, s));
@@ -127,12 +129,14 @@ Theorem generalize(Expr v, const Theorem& t) {
   check_not_in_hypotheses(v, t);
   return Theorem(t.hypotheses(), conclusion, {"generalize", {t}, {v}});
 }
-// SPECIALIZE. What holds for all holds for a term's value, of the variable's sort (open checks).
+// SPECIALIZE. What holds for all holds for the value of a term of the variable's sort (open checks
+// the sort).
 Theorem specialize(const Theorem& t, Expr term) {
   return Theorem(t.hypotheses(), open(t.conclusion(), term), {"specialize", {t}, {term}});
 }
 
-// REWRITE. Equal values in the same place, also under quantifiers: l and r hold no loose index.
+// REWRITE. Equal values in the same place. l and r hold no loose index, so that the equation means
+// the same under every quantifier.
 Theorem rewrite(const Theorem& equation, const Theorem& t) {
   const Expr e = equation.conclusion();
   if (e.op() != Op::Eq) refuse("not an equation: " + brief(e));
