@@ -211,9 +211,9 @@ std::string how_to_write(const Exercise& e, const std::string& said) {
   for (const Misconception& m : e.misconceptions)
     examples.insert(examples.end(), m.answers.begin(), m.answers.end());
   examples.insert(examples.end(), {"sqrt(7)/9", "22 + 1/13"});
-  const Terms terms(e);
-  const auto is_fit = [&, own = own_answer(e)](const std::string& one) {
-    return one.find(own) == one.npos && terms.foreign(terms.content(one)).empty();
+  const auto is_fit = [terms = Terms(e), own = own_answer(e)](const std::string& one) {
+    const Expr term = terms.content(one);
+    return one.find(own) == one.npos && (terms.foreign(term) + terms.lacking(term, one)).empty();
   };
   return rule +
          "This can be read, but is not the answer: " + *std::ranges::find_if(examples, is_fit);
