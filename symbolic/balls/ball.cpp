@@ -114,9 +114,9 @@ Ball atan(const Ball& x) {
 }
 Ball Ball::pi() {  // Machin, once for these bits
   static std::map<int, Ball> known;
-  const auto [it, fresh] = known.try_emplace(bits);
-  if (fresh) it->second = Ball(16) * atan(Ball(1) / 5) - Ball(4) * atan(Ball(1) / 239);
-  return it->second;
+  if (const auto it = known.find(bits); it != known.end()) return it->second;
+  const Ball half_turn = Ball(16) * atan(Ball(1) / 5) - Ball(4) * atan(Ball(1) / 239);
+  return known.emplace(bits, half_turn).first->second;
 }
 Ball exp(const Ball& x) {
   if (x.high() > 100000) throw NotCertain("an exponential of what may be above 10^5");

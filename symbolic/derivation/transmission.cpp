@@ -1,4 +1,5 @@
-// What collisions with losses let through: the paper's four equations, B's share in two cycles.
+// What collisions that lose energy let through: the paper's four equations, and the share that B
+// has after one cycle and after two.
 #include "derivation/wedge.hpp"
 
 namespace derivation {

@@ -129,8 +129,7 @@ Theorem generalize(Expr v, const Theorem& t) {
   check_not_in_hypotheses(v, t);
   return Theorem(t.hypotheses(), conclusion, {"generalize", {t}, {v}});
 }
-// SPECIALIZE. What holds for all holds for the value of a term of the variable's sort (open checks
-// the sort).
+// SPECIALIZE. What holds for every value holds for a term's, of the same sort (open checks).
 Theorem specialize(const Theorem& t, Expr term) {
   return Theorem(t.hypotheses(), open(t.conclusion(), term), {"specialize", {t}, {term}});
 }
