@@ -74,7 +74,7 @@ std::vector<std::string> forged(const std::vector<fs::path>& folders) {
 }
 }  // namespace
 
-TEST_CASE("no room that sees the kernel holds a forging word") {
+TEST_CASE("no room that sees the kernel holds a forging word", "[source]") {
   std::vector<fs::path> folders;
   for (const char* folder : {"symbolic", "src", "tutorials", "examples", "tests"})
     folders.push_back(fs::path(MAGICMASS_SOURCE) / folder);
