@@ -141,7 +141,7 @@ Program magicmass() {
        .run = classroom::learn_by_exercises,
        .limits = {.seconds = 60},
        .takes_formulas = true,
-       .limits_of = {{"grade", {86'400}}, {"watch", {no_limit}}}},
+       .limits_of = {{"grade", {86'400}}, {"test", {600}}, {"watch", {no_limit}}}},
   };
   return {"magicmass",
           "Magic mass ratios: from conservation laws to proved, generated, measured C++",
