@@ -102,8 +102,7 @@ Factored factored(const ex& e, const Translation& translation) {
     Polynomial p = polynomial(translation.to_kernel(is_power ? factor.op(0) : factor));
     if (p.empty()) return {0, {}};
     cln::cl_RA content = 0;
-    for (const auto& [monomial, q] : p)
-      content = cln::gcd(cln::numerator(content), cln::numerator(q));
+    for (const auto& [monomial, q] : p) content = gcd(numerator(content), numerator(q));
     if (p.begin()->second < 0) content = -content;
     p = scaled(p, 1 / content);
     out.number = out.number * cln::expt(content, exponent);
@@ -122,7 +121,11 @@ class Simplifier {
 public:
   explicit Simplifier(const Exprs& collected_atoms) : collect(collected_atoms) {}
 
-  Expr simplified(Expr t) { return from_ginac(translation.to_ginac(t)); }
+  Expr simplified(Expr t) try {
+    return from_ginac(translation.to_ginac(t));
+  } catch (const std::logic_error& problem) {  // a quotient by 0
+    refuse(std::string("GiNaC cannot simplify: ") + problem.what());
+  }
   Expr from_ginac(const ex& e) {
     const auto [numerator, denominator] = translation.quotient(e);
     const Factored over = factored(numerator, translation);
@@ -171,7 +174,7 @@ private:
 };
 }  // namespace
 
-Exprs solve(const Exprs& equations, const Exprs& unknowns, const Exprs& collect) {
+Exprs solve(const Exprs& equations, const Exprs& unknowns, const Exprs& collect) try {
   Simplifier simplifier(collect);
   GiNaC::lst symbols;
   for (const Expr& u : unknowns) symbols.append(simplifier.translation.symbol_of(u));
@@ -183,23 +186,20 @@ Exprs solve(const Exprs& equations, const Exprs& unknowns, const Exprs& collect)
   GiNaC::lst system;
   for (const ex& e : numerators) system.append(simplifier.translation.in_roots(e) == 0);
   Exprs out;
-  try {
-    for (const ex& is : GiNaC::lsolve(system, symbols))
-      out.push_back(simplifier.from_ginac(is.rhs()));
-  } catch (const std::exception& problem) {
-    refuse(std::string("GiNaC cannot solve for the unknowns: ") + problem.what());
-  }
+  for (const ex& is : GiNaC::lsolve(system, symbols))
+    out.push_back(simplifier.from_ginac(is.rhs()));
   bool found = out.size() == unknowns.size();
   for (const Expr& value : out)
     for (const Expr& u : unknowns) found = found && free_variables(value).count(u) == 0;
   if (!found) refuse("the equations do not determine the unknowns");
   return out;
+} catch (const std::logic_error& problem) {
+  refuse(std::string("GiNaC cannot solve for the unknowns: ") + problem.what());
 }
 Expr simplified(Expr term, const Exprs& collect) {
-  Simplifier simplifier(collect);
-  if (!is_matrix(term)) return simplifier.simplified(term);
+  if (!is_matrix(term)) return Simplifier(collect).simplified(term);
   Exprs out;
-  for (const Expr& e : entries(term)) out.push_back(simplifier.simplified(e));
+  for (const Expr& e : entries(term)) out.push_back(simplified(e, collect));
   return matrix(term.cols(), out);
 }
 }  // namespace algebra

@@ -44,8 +44,7 @@ Ball::Ball(const cl_RA& q)
 Ball operator+(const Ball& a, const Ball& b) { return {a.middle + b.middle, a.radius + b.radius}; }
 Ball operator*(const Ball& a, const Ball& b) {
   if (a.is_zero() || b.is_zero()) return 0;
-  const cl_I error =
-      cln::abs(a.middle) * b.radius + cln::abs(b.middle) * a.radius + a.radius * b.radius;
+  const cl_I error = abs(a.middle) * b.radius + abs(b.middle) * a.radius + a.radius * b.radius;
   // One unit for the product's own rounding, one for that of its error.
   return {cln::ash(a.middle * b.middle, -Ball::bits), cln::ash(error, -Ball::bits) + 2};
 }
@@ -55,12 +54,12 @@ Ball operator/(const Ball& a, const Ball& b) {
   if (a.is_zero()) return 0;
   // |a/b - m_a/m_b| <= (r_a |m_b| + r_b |m_a|)/(|m_b| least)
   const cl_I quotient = cln::floor1(cln::ash(a.middle, Ball::bits), b.middle);
-  const cl_I error =
-      cln::ash(a.radius * cln::abs(b.middle) + b.radius * cln::abs(a.middle), Ball::bits);
+  const cl_I error = ash(a.radius * abs(b.middle) + b.radius * abs(a.middle), Ball::bits);
   return {quotient, cln::floor1(error, cln::abs(b.middle) * least) + 2};
 }
 cl_RA Ball::low() const { return scaled(middle - radius, -bits); }
 cl_RA Ball::high() const { return scaled(middle + radius, -bits); }
+double Ball::size() const { return std::ldexp(double_approx(abs(middle) + radius), -bits); }
 
 /// The sum of term, -term square/((first + 1)(first + 2)), ..., off by less than its last term:
 /// where they alternate, once they fall, and else where |square| < 1.

@@ -58,6 +58,7 @@ public:
 
   cln::cl_RA low() const;
   cln::cl_RA high() const;
+  double size() const;  ///< the greatest |x| within, rounded
 
 private:
   Ball(const cln::cl_I& m, const cln::cl_I& r) : middle(m), radius(r) {}

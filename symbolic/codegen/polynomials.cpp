@@ -13,11 +13,7 @@ int terms(const std::string& name) { return name == "arc_tangent" ? 76 : 32; }
 Series substituted(Series c, const cl_RA& a, const cl_RA& b) {
   for (std::size_t i = 0; i < c.size(); ++i)
     for (std::size_t j = c.size() - 1; j-- > i;) c[j] = c[j] + a * c[j + 1];
-  cl_RA power = 1;
-  for (cl_RA& x : c) {
-    x = x * power;
-    power = power * b;
-  }
+  for (std::size_t k = 0; k < c.size(); ++k) c[k] = c[k] * cln::expt(b, cln::cl_I(k));
   return c;
 }
 /// T_k in powers.
@@ -110,17 +106,19 @@ std::vector<Tier> make_tiers() {
 
 double proved_error(const Polynomial& p) {
   const cl_RA top = exact(p.top);
+  const int next = terms(p.name);
+  // So many times what is summed is whole: that needs no gcd.
+  const cl_RA times = cln::ash(cln::factorial(uintL(2 * next)), 160 * next);
   Series off;
   for (std::size_t k = 0; k < p.high.size(); ++k)
-    off.push_back(exact(p.high[k]) + (k < p.low.size() ? exact(p.low[k]) : cl_RA(0)));
+    off.push_back(times * (exact(p.high[k]) + (k < p.low.size() ? exact(p.low[k]) : cl_RA(0))));
   off = substituted(off, -exact(p.centre), 1);
   const Series f = series(p.name);
   off.resize(f.size(), 0);
-  for (std::size_t k = 0; k < f.size(); ++k) off[k] = off[k] - f[k];
-  const int next = terms(p.name);
+  for (std::size_t k = 0; k < f.size(); ++k) off[k] = off[k] - times * f[k];
   const cl_RA remainder = cln::abs(term(p.name, next)) * cln::expt(top, next);
   off = substituted(off, top / 2, top / 2);
-  return upper((taken_off(off, 0) + remainder) / exact(p.least));
+  return upper((taken_off(off, 0) / times + remainder) / exact(p.least));
 }
 
 const Polynomial& Tier::operator[](const std::string& polynomial) const {

@@ -78,10 +78,12 @@ std::vector<Value> certain(const MassRatio& alpha, const Quantity& quantity,
 /// What rounding alpha alone would cost each number y of the quantity, max(1/2, cond/2) ulp with
 /// cond = |alpha y'(alpha)/y|, infinity where y = 0, up to the last collision: there y is a smooth
 /// function of n h <= pi/2 and h: a step of 2^-60 gives cond to about as much. Throws as certain().
-std::vector<double> envelopes(const MassRatio& alpha, const auto& quantity) {
+/// here: its numbers to within 120 bits, where they are known.
+std::vector<double> envelopes(const MassRatio& alpha, const auto& quantity,
+                              std::vector<cl_RA> here = {}) {
   constexpr long bits = 60;
   const cl_RA step = cln::recip(cl_RA(cln::ash(cl_I(1), bits)));
-  const auto here = certain(alpha, quantity, to_within(2 * bits));
+  if (here.empty()) here = certain(alpha, quantity, to_within(2 * bits));
   const auto beside = certain(alpha * (1 + step), quantity, to_within(2 * bits));
   std::vector<double> values;
   for (std::size_t i = 0; i < here.size(); ++i) {

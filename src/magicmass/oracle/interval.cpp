@@ -33,8 +33,7 @@ Interval Interval::at(long precision) const {
 
 Interval operator+(const Interval& x, const Interval& y) {
   const long p = std::max(x.precision_, y.precision_);
-  const Interval u = x.at(p);
-  const Interval v = y.at(p);
+  const Interval u = x.at(p), v = y.at(p);
   return {u.low_ + v.low_, u.high_ + v.high_, p};
 }
 
@@ -43,11 +42,15 @@ Interval operator-(const Interval& x, const Interval& y) {
 }
 
 Interval operator*(const Interval& x, const Interval& y) {
+  if (cln::minusp(x.low_) && !cln::minusp(y.low_)) return y * x;
+  if (cln::minusp(x.high_)) return Interval(0) - (Interval(0) - x) * y;
   // Ends at 2^-(px + py), cut back to the larger of the two; ash rounds down.
   const long p = std::max(x.precision_, y.precision_);
   const long cut = std::min(x.precision_, y.precision_);
-  const auto [low, high] =
-      std::minmax({x.low_ * y.low_, x.low_ * y.high_, x.high_ * y.low_, x.high_ * y.high_});
+  cl_I low = (cln::minusp(y.low_) ? x.high_ : x.low_) * y.low_;
+  cl_I high = (cln::minusp(y.high_) ? x.low_ : x.high_) * y.high_;
+  if (cln::minusp(x.low_)) low = cln::min(low, x.low_ * y.high_);  // so is y.low_
+  if (cln::minusp(x.low_)) high = cln::max(high, x.low_ * y.low_);
   return {cln::ash(low, -cut), -cln::ash(-high, -cut), p};
 }
 
@@ -57,8 +60,7 @@ Interval operator/(const Interval& x, const Interval& y) {
   if (y.sign() == Sign::negative) return (Interval(0) - x) / (Interval(0) - y);
   // u / v = (u 2^p / v) / 2^p at precision p; for v > 0 the extremes are u's ends over one of v's.
   const long p = std::max(x.precision_, y.precision_);
-  const Interval u = x.at(p);
-  const Interval v = y.at(p);
+  const Interval u = x.at(p), v = y.at(p);
   const cl_I& below_low = cln::minusp(u.low_) ? v.low_ : v.high_;
   const cl_I& below_high = cln::minusp(u.high_) ? v.high_ : v.low_;
   return {cln::floor1(cln::ash(u.low_, p), below_low),

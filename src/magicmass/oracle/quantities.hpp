@@ -43,17 +43,17 @@ Cycle<Scalar> cycle_of(const Scalar& alpha) {
   return {collision(0, block, 2, alpha), collision(1, block, 2, alpha)};  // rows: a, b, c
 }
 
-/// The velocities after j >= 0 collisions, A's first, by squaring.
-template <class Scalar>
-Velocity<Scalar> after_collisions(const Cycle<Scalar>& cycle, const cl_I& j,
-                                  Velocity<Scalar> v = Velocity<Scalar>::UnitX()) {
+/// The velocities after j >= 0 collisions, A's first, by squaring: of each column of v.
+template <class Scalar, class Columns = Velocity<Scalar>>
+Columns after_collisions(const Cycle<Scalar>& cycle, const cl_I& j,
+                         Columns v = Columns::Identity()) {
   Map<Scalar> cycles = cycle.with_B * cycle.with_A;
   const cl_I n = cln::floor1(j, 2);
   for (std::size_t bit = 0; bit < cln::integer_length(n); ++bit) {
     if (bit > 0) cycles = Map<Scalar>(cycles * cycles);
-    if (cln::logbitp(bit, n)) v = Velocity<Scalar>(cycles * v);
+    if (cln::logbitp(bit, n)) v = Columns(cycles * v);
   }
-  return cln::oddp(j) ? Velocity<Scalar>(cycle.with_A * v) : v;
+  return cln::oddp(j) ? Columns(cycle.with_A * v) : v;
 }
 
 /// N_A and N_B, of any size.
@@ -96,8 +96,8 @@ struct AtCollision {
   template <class Scalar>
   std::vector<Scalar> operator()(const Scalar& alpha) const {
     const Cycle<Scalar> cycle = cycle_of(alpha);
-    const Velocity<Scalar> B_alone = Velocity<Scalar>::UnitY();
-    const Velocity<Scalar> v = after_collisions(cycle, j), x = after_collisions(cycle, j, B_alone);
+    const auto both = after_collisions<Scalar, Eigen::Matrix<Scalar, 3, 2>>(cycle, j);
+    const Velocity<Scalar> v = both.col(0), x = both.col(1);  // A alone moves, B alone
     const int other = cln::oddp(j) ? 1 : 0;
     const Scalar t = (x(other) - x(2)) / (v(2) - v(other));
     return {t, x(1) - x(0) + (v(1) - v(0)) * t};

@@ -20,9 +20,6 @@ using kernel::Op;
 namespace generated = magicmass::generated;
 
 inline Ball magnitude(const Ball& x) { return x.high() <= 0 ? -x : x; }
-inline double size_of(const Ball& x) {
-  return cln::double_approx(cln::max(cln::abs(x.low()), cln::abs(x.high())));
-}
 /// A double that is at most `size`, and so far off.
 struct Rounded {
   double size, off = 0;
@@ -33,7 +30,7 @@ struct Value {
   Ball x;
   Rounded low = {0};
   bool exact = false;  // a plain double
-  double size = size_of(x);
+  double size = x.size();
   double loose() const { return size == 0 ? 0 : low.size / size; }
   bool is_power_of_2() const { return exact && size > 0 && std::exp2(std::ilogb(size)) == size; }
   bool is_whole() const { return exact && cln::denominator(x.low()) == 1; }
@@ -69,11 +66,11 @@ private:
   }
   static Rounded sum(Rounded x, Rounded y) { return fused({1}, x, y); }
   static Value pair(const Ball& x, Rounded low) {
-    return {x, {low.size, low.off + unit * size_of(x)}};
+    return {x, {low.size, low.off + unit * x.size()}};
   }
   static Value plus(const Value& x, const Value& y) {
     const Ball exactly = x.x + y.x;
-    const double size = size_of(exactly);
+    const double size = exactly.size();
     if (x.is_whole() && y.is_whole()) return just(exactly.low());
     if (x.exact && y.exact) return pair(exactly, {u * size});
     const Rounded low = sum(sum(x.low, y.low), {u * size});
@@ -85,7 +82,7 @@ private:
   }
   static Value times(const Value& x, const Value& y) {
     const Ball product = x.exact && y.exact ? Ball(cl_RA(x.x.low() * y.x.low())) : x.x * y.x;
-    const double size = size_of(product);
+    const double size = product.size();
     if (size == 0) return just(0);
     if (x.is_power_of_2()) return {product, y.low * x.size, y.exact};
     if (y.is_power_of_2() || (x.exact && !y.exact)) return times(y, x);
@@ -109,7 +106,7 @@ private:
     const Rounded of_low = fused({1}, fused(low, {1}, {u}), {0});
     const double e = 6 * u + low.size;
     const double off = (7 * u * u + of_low.off + u * e) / 2 + u * e / 2 + 0.375 * e * e;
-    return pair(r, Rounded{e / 2, off} * size_of(r));
+    return pair(r, Rounded{e / 2, off} * r.size());
   }
   static Rounded plain(std::span<const double> c, double z) {
     if (c.size() == 1) return {std::fabs(c[0])};
@@ -149,7 +146,7 @@ private:
   }
   /// Relative to f.
   static Rounded in_place_of(const Ball& f, const Value& v) {
-    return Rounded{v.low.size, v.low.off + size_of(f - v.x)} * (1 / size_of(f));
+    return Rounded{v.low.size, v.low.off + (f - v.x).size()} * (1 / f.size());
   }
   static Value arc_tangent(const Value& x, const Value& z) {
     Value r{atan(x.x), {0, x.low.off / (1 + z.size)}};
@@ -166,7 +163,7 @@ private:
   static void add(Value& v, Rounded low) { v.low = {v.low.size + low.size, v.low.off + low.off}; }
   static Value sine_or_cosine(bool is_sine, const Value& x) {
     const Ball sine = x.size == 0 ? 0 : sin(x.x), cosine = cos(x.x);
-    const double slope = size_of(is_sine ? cosine : sine);
+    const double slope = (is_sine ? cosine : sine).size();
     Value r{is_sine ? sine : cosine, {0, slope * x.low.off}};
     if constexpr (is_pair) {
       if (x.size <= 0.52359905) {
@@ -189,7 +186,7 @@ private:
   }
   Value computed(Expr e) {
     if (e.op() == Op::Num)
-      return is_double(e.value()) ? just(e.value()) : pair(e.value(), {u * size_of(e.value())});
+      return is_double(e.value()) ? just(e.value()) : pair(e.value(), {u * Ball(e.value()).size()});
     if (e.op() == Op::Fun) return function(e);
     Value r = of(e.arg(0));
     if (e.op() == Op::Pow) {
@@ -227,7 +224,7 @@ private:
     if (r.low() < least.low()) r = least;
     // A loss of t's own for each product, and each x is off: together less than 2^-22.
     const double share = cln::double_approx(k) * (x.low.off / x.size + 6 * u * u + unit);
-    return {r, {u * size_of(r), share * size_of(r) + 2 * size_of(least)}};
+    return {r, {u * r.size(), share * r.size() + 2 * least.size()}};
   }
   /// ceil(p/q + c), whose signs are those of |p - q k| and q/2 - |p - q k|, k nearest to p/q.
   Value ceiling(Expr x) {

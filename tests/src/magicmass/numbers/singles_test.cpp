@@ -22,7 +22,7 @@ Numbers values_of(const Collision& c) { return {c.t, c.s}; }
 double in_envelopes(const Numbers& got, double alpha, const auto& quantity) {
   const oracle::MassRatio ratio = oracle::ratio(oracle::exact(alpha));
   const auto exact = oracle::certain(ratio, quantity, oracle::to_within(120));
-  const Numbers envelopes = oracle::envelopes(ratio, quantity);
+  const Numbers envelopes = oracle::envelopes(ratio, quantity, exact);
   double most = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
     const double error = oracle::ulp_error(got[i], exact[i]);
