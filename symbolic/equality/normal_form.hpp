@@ -129,7 +129,8 @@ private:
     int sign = 1;
   };
   std::vector<SignedProduct> signed_products;
-  int depth = 0;  // of questions for signs
+  int depth = 0;          // of questions for signs
+  std::size_t asked = 0;  // terms in them
 
   Sum computed(Expr term);
   Sum function(Expr term);

@@ -4,10 +4,10 @@
 namespace equality {
 namespace {
 constexpr int deepest = 8;
+constexpr std::size_t most_asked = 3000;  // terms, of all that one question leads to
 constexpr int highest_power = 3000;
 constexpr int most_roots = 12;  // x^(1/12) is compared by its twelfth power
 int product(int a, int b) {
-  if (a == 0 || b == 0) return 0;
   const int size = std::min(std::abs(a), std::abs(b));
   return (a > 0) == (b > 0) ? size : -size;
 }
@@ -58,7 +58,6 @@ Sum Forms::expanded(Sum sum, Product* divisor) {
       if (const auto it = by_power.find(at); it != by_power.end()) out = out + it->second;
     }
     sum = out;
-    if (sum.empty()) return sum;
   }
 }
 // What of a power is a constant: z^(pi/3) of z^(x + pi/3).
@@ -139,6 +138,7 @@ int Forms::sign_of_powers(const Product& powers) {
 }
 bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
   if (sum.empty()) return !strictly;
+  if (depth > 0 && asked > most_asked) return false;
   const auto fits = [&](int found) { return found * sign >= (strictly ? 2 : 1); };
   for (const auto& [known, strength] : assumed) {
     const cln::cl_RA ratio = sum.begin()->second / known.begin()->second;
@@ -154,16 +154,17 @@ int Forms::sign_of_composite(const Sum& sum) {
   const auto known = signs.find(sum);  // not known from as deep is not known from here
   if (known != signs.end() && (known->second.first != 0 || known->second.second <= depth))
     return known->second.first;
+  if (depth == 0) asked = 0;
+  if ((asked += sum.size()) > most_asked) return 0;
   ++depth;
-  const std::optional<Expr> real = real_expression(sum);
-  const bool is_number = real && kernel::free_variables(*real).empty();
-  int sign = is_number ? sign_of_number(sum) : sign_by_terms(sum);
+  int sign = 0;
   for (Rule Forms::*rule :
-       {&Forms::sign_of_trigonometric, &Forms::sign_of_cosine, &Forms::sign_by_shift,
-        &Forms::sign_of_root, &Forms::sign_of_two, &Forms::sign_of_quadratic})
-    if (sign == 0 && !is_number) sign = (this->*rule)(sum);
+       {&Forms::sign_of_number, &Forms::sign_by_terms, &Forms::sign_of_trigonometric,
+        &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_root, &Forms::sign_of_two,
+        &Forms::sign_of_quadratic})
+    if (sign == 0) is_proved([&] { return sign = (this->*rule)(sum), true; });
   --depth;
-  signs[sum] = {sign, depth};
+  if (sign != 0 || asked <= most_asked) signs[sum] = {sign, depth};
   return sign;
 }
 int Forms::sign_by_terms(const Sum& sum) {
@@ -181,8 +182,7 @@ int Forms::sign_by_terms(const Sum& sum) {
 }
 int Forms::sign_of_number(const Sum& sum) {
   const std::optional<Expr> e = real_expression(sum);
-  if (!e || !kernel::free_variables(*e).empty()) return 0;
-  return 2 * exact_sign(*e).value_or(0);
+  return e && kernel::free_variables(*e).empty() ? 2 * exact_sign(*e).value_or(0) : 0;
 }
 // c + sum of c_i z^u_i is at least c - sum of |c_i|, where it is real.
 int Forms::sign_of_trigonometric(const Sum& sum) {
@@ -248,8 +248,7 @@ int Forms::sign_of_two(const Sum& sum) {
   if ((q > 0) == (r > 0) || strength < 1) return 0;
   Product ratio = first;
   for (const auto& [atom, e] : second) multiply(ratio, atom, kernel::scaled(e, -1));
-  const int sign = sign_of(logarithm({{ratio, -q / r}}));
-  return product(product(sign, strength), q > 0 ? 2 : -2);
+  return product(product(sign_of(logarithm({{ratio, -q / r}})), strength), q > 0 ? 2 : -2);
 }
 // x = low + s, high - s or (low + high s)/(1 + s) for s >= 0 shows signs term by term.
 int Forms::sign_by_shift(const Sum& sum) {
@@ -271,7 +270,9 @@ int Forms::sign_by_shift(const Sum& sum) {
     if (is_bounded) value = (Expr(start.value) + Expr(range.high->value) * s) / (Expr(1) + s);
     Forms forms_of_s(inner);
     forms_of_s.depth = depth + 1;
+    forms_of_s.asked = asked;
     const int sign = forms_of_s.sign_of(forms_of_s.of(kernel::substitute(*e, {{x, value}})));
+    asked = forms_of_s.asked;
     if (sign != 0) return is_bounded && range.high->is_inside ? product(sign, 1) : sign;
   }
   return 0;
@@ -308,8 +309,7 @@ void Forms::assume(const Requirement& requirement) {
   if (requirement.kind == Need::NotZero) {
     for (const auto& [atom, e] : f.powers) assumed_not_zero.insert(atom);
   } else {
-    const bool strictly = requirement.kind == Need::Positive;
-    const int strength = strictly ? 2 : 1;
+    const int strength = requirement.kind == Need::Positive ? 2 : 1;
     assumed.emplace_back(sum, strength);
     Product known = f.powers;
     SignedProduct is;
@@ -320,7 +320,7 @@ void Forms::assume(const Requirement& requirement) {
       known.erase(atom);
     }
     const int rest = product(sign_of_powers(known), f.number > 0 ? 2 : -2);
-    if (!strictly && std::abs(rest) == 1) is.others = known;
+    if (strength == 1 && std::abs(rest) == 1) is.others = known;
     is.sign = rest > 0 ? 1 : -1;
     if (is.atoms.size() == 1 && is.others.empty() && rest != 0)
       assumed_signs[is.atoms[0]] = is.sign * strength;
