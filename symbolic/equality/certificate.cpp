@@ -79,11 +79,10 @@ Exprs definition(Expr root) {
 Theorem root_is(Expr root, Expr t, const Theorems& facts) {
   if (is_call(root, "sqrt")) return algebra::root_is(root.arg(0), t, facts);
   const Theorems is = algebra::assumed(definition(root));
-  const Expr power = kernel::power(t, order(root));
   Theorems signs(is.begin() + 1, is.end());
   if (!signs.empty()) signs.push_back(algebra::not_negative(t, facts));
-  const Theorem of_t = algebra::equation(algebra::right(is[0]), power, facts);
-  return algebra::same_root(algebra::chain(is[0], of_t), signs);
+  const Theorem e = algebra::equation(algebra::right(is[0]), kernel::power(t, order(root)), facts);
+  return algebra::same_root(algebra::chain(is[0], e), signs);
 }
 /// Facts of the roots of both sides: of those of one factor by the least, as 4^(1/3) is 2^(1/3)^2.
 struct Roots {
@@ -138,7 +137,7 @@ struct Roots {
     return Surd{forms.expression(a), square, b.begin()->second > 0};
   }
   // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) plus or minus sqrt((a - d)/2), d^2 = a^2 - b^2.
-  std::optional<Expr> sum_of_roots(Expr root) {
+  std::optional<Expr> of_sum(Expr root) {
     const auto x = is_call(root, "sqrt") ? surd(root.arg(0)) : std::nullopt;
     if (!x) return {};
     Expr d = forms.expression(forms.of(kernel::sqrt(kernel::power(x->a, 2) - x->square)));
@@ -167,12 +166,17 @@ struct Roots {
     const Expr half = kernel::sqrt(Expr(t * t / 4 - q));
     return x->is_sum ? Expr(t / 2) + half : Expr(t / 2) - half;
   }
+  std::optional<Expr> of_inverse(Expr root) {  // sqrt(1/u) is 1/sqrt(u)
+    const Expr u = kernel::canonical(algebra::simplified(1 / root.arg(0)));
+    const bool is_shorter = is_call(root, "sqrt") && u.weight() < root.arg(0).weight();
+    return is_shorter ? std::optional(1 / kernel::sqrt(u)) : std::nullopt;
+  }
   void add(Expr e) {
     for (Expr part : e.args()) add(part);
     if (!is_root(e) || !seen.insert(kernel::canonical(e)).second) return;
     const Exprs is = definition(e);
     if (!is_call(e, "sqrt")) definitions.insert(is.begin(), is.end());
-    for (auto simpler : {&Roots::sum_of_roots, &Roots::of_cubes, &Roots::by_factors})
+    for (auto simpler : {&Roots::of_sum, &Roots::of_cubes, &Roots::by_factors, &Roots::of_inverse})
       if (is_proved([&] {
             const auto t = (this->*simpler)(e);
             if (!t || kernel::canonical(*t) == kernel::canonical(e)) return false;
@@ -316,9 +320,9 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
     roots.add(both);
     for (const Requirement& r : needs) {
       if (!is_constant(r.term)) continue;
-      const bool is_seen =
+      const bool is_sure =
           is_proved([&] { return facts.push_back(not_zero(r.term, facts)), true; });
-      if (!is_seen || r.kind != Need::NotZero) facts.push_back(kernel::assume(formula(r)));
+      if (!is_sure || r.kind != Need::NotZero) facts.push_back(kernel::assume(formula(r)));
     }
     if (!is_proved([&] { return algebra::equation(goal, facts), true; })) roots.solve_for_one(goal);
     Theorem proved = algebra::equation(goal, facts);

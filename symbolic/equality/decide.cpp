@@ -35,12 +35,11 @@ public:
       } catch (const kernel::Refused& why) {
         if (left != right) verdict.proof += std::string("; the kernel ") + why.what();
       }
-      return verdict;
-    }
-    if (!is_different_exactly() && verdict.proof.empty())
+    } else if (!is_different_exactly() && verdict.proof.empty()) {
       verdict.proof =
           "neither a proof nor a counterexample was found; both sides agree to 50 digits at " +
           std::to_string(common.size()) + (common.size() == 1 ? " point" : " points");
+    }
     return verdict;
   }
 
@@ -145,10 +144,7 @@ private:
     const auto is_of_sign = [](const Requirement& r) { return r.kind != Need::NotZero; };
     return std::ranges::any_of(needs, is_of_sign) && std::ranges::none_of(common, may_hold_at);
   }
-  bool proved(const std::string& how) {
-    verdict.proof = how;
-    return true;
-  }
+  bool proved(const std::string& how) { return verdict.proof = how, true; }
   bool prove() {
     if (left == right) return proved("both sides are the same expression");
     if (prove_at_whole_exponents()) return true;

@@ -4,7 +4,7 @@
 namespace equality {
 namespace {
 constexpr int deepest = 8;
-constexpr std::size_t most_asked = 3000;  // terms, of all that one question leads to
+constexpr std::size_t most_asked = 1000;  // terms, of all that one question leads to
 constexpr int highest_power = 3000;
 constexpr int most_roots = 12;  // x^(1/12) is compared by its twelfth power
 int product(int a, int b) {
@@ -164,7 +164,7 @@ int Forms::sign_of_composite(const Sum& sum) {
         &Forms::sign_of_quadratic})
     if (sign == 0) is_proved([&] { return sign = (this->*rule)(sum), true; });
   --depth;
-  if (sign != 0 || asked <= most_asked) signs[sum] = {sign, depth};
+  signs[sum] = {sign, depth};
   return sign;
 }
 int Forms::sign_by_terms(const Sum& sum) {
