@@ -242,7 +242,6 @@ Ball enclosure(Expr constant, int bits) {
 Ball enclosure(Expr term, const std::map<Expr, Ball>& values) { return Enclosure(values)(term); }
 
 std::optional<int> exact_sign(Expr constant) {
-  if (constant.op() == Op::Num) return constant.value() > 0 ? 1 : constant.value() < 0 ? -1 : 0;
   const auto separation = Separation().bits(constant);
   const bool is_bounded = separation && *separation < most_bits;
   const int most = is_bounded ? 2 * int(*separation) + 1024 : most_bits_unbounded;
@@ -251,6 +250,7 @@ std::optional<int> exact_sign(Expr constant) {
       const Ball value = enclosure(constant, bits);
       if (value.low() > 0) return 1;
       if (value.high() < 0) return -1;
+      if (value.low() == value.high()) return 0;
       if (is_bounded && bits > *separation) {
         const cln::cl_RA least = cln::cl_RA(1) / cln::ash(cln::cl_I(1), int(*separation) + 1);
         if (value.high() < least && value.low() > -least) return 0;

@@ -92,10 +92,8 @@ Sum Forms::function(Expr term) {
 }
 
 Sum Forms::integer_power(const Sum& base, int k) {
-  if (base.empty()) {
-    if (k <= 0) throw NotDefined("division by zero");
-    return {};
-  }
+  if (base.empty() && k <= 0) throw NotDefined("division by zero");
+  if (base.empty()) return {};
   if (k > 0 && k <= written_out && base.size() <= 30) {
     Sum out = base;
     for (int i = 1; i < k; ++i) out = times(out, base);
@@ -104,6 +102,9 @@ Sum Forms::integer_power(const Sum& base, int k) {
   if (k < 0)
     if (const auto inverse = rationalized(base)) return integer_power(*inverse, -k);
   Factors f = factors(base);
+  const cln::cl_I parts = cln::numerator(f.number) * cln::denominator(f.number);
+  if (cln::integer_length(parts) * std::size_t(std::abs(k)) > 1000000)
+    throw TooLarge("a number of more than a million bits");
   f.number = cln::expt(f.number, k);
   for (auto& [atom, e] : f.powers) e = kernel::scaled(e, k);
   return reduced(f.powers, f.number);
@@ -152,8 +153,7 @@ Sum Forms::symbolic_power(const Sum& base, const Exponent& k) {
 }
 // What is not negative is its own modulus, a product of moduli: each has a real power.
 Sum Forms::real_power(const Sum& base, const Exponent& exponent) {
-  if (base.empty()) return {};
-  return reduced(power_of_modulus(base, exponent));
+  return base.empty() ? Sum() : reduced(power_of_modulus(base, exponent));
 }
 Product Forms::power_of_modulus(const Sum& base, const Exponent& exponent) {
   const Factors f = factors(base);

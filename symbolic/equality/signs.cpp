@@ -4,7 +4,7 @@
 namespace equality {
 namespace {
 constexpr int deepest = 8;
-constexpr std::size_t most_asked = 1000;  // terms, of all that one question leads to
+constexpr std::size_t most_asked = 400;  // terms, of all that one question leads to
 constexpr int highest_power = 3000;
 constexpr int most_roots = 12;  // x^(1/12) is compared by its twelfth power
 int product(int a, int b) {
