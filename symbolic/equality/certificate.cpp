@@ -8,8 +8,7 @@ using algebra::Theorem;
 using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
-constexpr int highest_order = 12, most_multiplied_out = 24;
-constexpr int few_roots = 2, most_of_roots = 6;
+constexpr int highest_order = 12, most_multiplied_out = 24, few_roots = 2, most_of_roots = 6;
 constexpr int most_below = 1000;                    // a denominator
 constexpr int most_parts = 60;                      // d of pi/d
 constexpr int most_work = 10, most_work_of_15 = 3;  // whose sines are of more roots
@@ -167,8 +166,9 @@ struct Roots {
     return x->is_sum ? Expr(t / 2) + half : Expr(t / 2) - half;
   }
   std::optional<Expr> of_inverse(Expr root) {  // sqrt(1/u) is 1/sqrt(u)
-    const Expr u = kernel::canonical(algebra::simplified(1 / root.arg(0)));
-    const bool is_shorter = is_call(root, "sqrt") && u.weight() < root.arg(0).weight();
+    const Expr x = kernel::canonical(root.arg(0));
+    const Expr u = kernel::canonical(algebra::simplified(1 / x));
+    const bool is_shorter = is_call(root, "sqrt") && u.weight() < x.weight();
     return is_shorter ? std::optional(1 / kernel::sqrt(u)) : std::nullopt;
   }
   void add(Expr e) {
