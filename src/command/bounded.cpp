@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include <cln/malloc.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -81,7 +82,10 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
     ::close(pipe[0]);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     host::limit(RLIMIT_CORE, 0);
-    if (__asan_init == nullptr) host::limit(RLIMIT_AS, rlim_t(limits.mebibytes) << 20U);
+    if (__asan_init == nullptr) {
+      host::limit(RLIMIT_AS, rlim_t(limits.mebibytes) << 20U);
+      cln::malloc_hook = ::operator new;  // its own throws what an unproved step throws, too
+    }
     const ExitCode code = action([&](std::uint64_t done) {
       if (done > 0) return rows.store(done);
       [[maybe_unused]] const ssize_t ignored = ::write(pipe[1], "", 1);

@@ -9,8 +9,7 @@ using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
 constexpr int highest_order = 12, most_multiplied_out = 24, few_roots = 2, most_of_roots = 6;
-constexpr int most_below = 1000;                    // a denominator
-constexpr int most_parts = 60;                      // d of pi/d
+constexpr int most_below = 1000, most_parts = 60;   // a denominator; d of pi/d
 constexpr int most_work = 10, most_work_of_15 = 3;  // whose sines are of more roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }

@@ -7,8 +7,7 @@
 
 namespace equality {
 namespace {
-constexpr int first_bits = 128;
-constexpr int most_bits = 60000;
+constexpr int first_bits = 128, most_bits = 60000;
 constexpr int most_bits_unbounded = 8192;  // where no bound of separation is known
 
 // One walk over a term for all that is computed of it, each part once.

@@ -3,13 +3,11 @@
 
 namespace equality {
 namespace {
-constexpr int digits_shown = 16;
+constexpr int digits_shown = 16, largest_denominator = 1000, most_halves = 60;
 constexpr std::size_t longest_shown = 40;
-constexpr int largest_denominator = 1000;
 constexpr std::size_t most_tried = 60;     // for one point that satisfies the further conditions
 constexpr std::size_t points_around = 40;  // of a zero
-constexpr int most_halves = 60;
-constexpr std::size_t most_special = 24;  // values that the numbers of the terms suggest
+constexpr std::size_t most_special = 24;   // values that the numbers of the terms suggest
 
 // The values of a range to try: the simplest first, or fractions first, and the special ones last.
 std::vector<cln::cl_RA> values_of(const Range& range, std::size_t count, bool is_inside,
