@@ -85,12 +85,12 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
     if (__asan_init == nullptr) {
       host::limit(RLIMIT_AS, rlim_t(limits.mebibytes) << 20U);
       cln::malloc_hook = ::operator new;  // its own throws what an unproved step throws, too
+      cln::free_hook = ::operator delete;
     }
-    const ExitCode code = action([&](std::uint64_t done) {
+    ::_exit(int(action([&](std::uint64_t done) {
       if (done > 0) return rows.store(done);
       [[maybe_unused]] const ssize_t ignored = ::write(pipe[1], "", 1);
-    });
-    ::_exit(static_cast<int>(code));
+    })));
   }
   ::close(pipe[1]);
   const std::string limit =

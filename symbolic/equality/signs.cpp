@@ -104,10 +104,10 @@ int Forms::sign_of_atom(Expr atom) {
     sign = is_not_zero(atom.arg(0)) ? 2 : 1;
   } else if (composites.contains(atom)) {
     sign = sign_of_composite(composites.at(atom));
-  } else if (depth < deepest) {
+  } else if (const bool is_log = is_call(atom, "log");
+             depth < deepest && (is_log || is_arcus(atom))) {
     ++depth;
-    if (is_call(atom, "log")) sign = sign_of(of(atom.arg(0)) - number(1));
-    if (is_arcus(atom)) sign = sign_of(of(atom.arg(0)));
+    is_proved([&] { return sign = sign_of(of(atom.arg(0)) - number(is_log ? 1 : 0)), true; });
     --depth;
   }
   return std::abs(sign) == 1 && is_not_zero(atom) ? 2 * sign : sign;
