@@ -8,15 +8,15 @@ namespace {
 using namespace magicmass::scenes;
 
 /// What was asked, and what came of it.
-struct Asked {
+struct AskedScene {
   Scene scene;
   Result result;
 };
 
-Asked asked(const Request& request, const std::string& command) {
+AskedScene asked(const Request& request, const std::string& command) {
   if (request.words.size() != 1)
     throw InvalidInput(command + ": give one scene, a file; example: " + command + " wall.toml");
-  return with_place<Undecided>(command + ": ", [&]() -> Asked {
+  return with_place<Undecided>(command + ": ", [&]() -> AskedScene {
     Scene scene = read_scene(request.words.front());
     scene.is_exact = request.has("exact");
     if (const auto most = request.whole("max-events", 0, INT64_MAX)) scene.max_events = most;
@@ -71,7 +71,7 @@ Fields plan_fields(const Result& result) {
 }
 
 /// What stands before the collisions.
-Fields head_fields(const Asked& asked) {
+Fields head_fields(const AskedScene& asked) {
   const Scene& scene = asked.scene;
   const Result& result = asked.result;
   const auto shown = [&](const Number& number) { return number_cell(number, scene.is_exact); };
@@ -117,7 +117,7 @@ Fields head_fields(const Asked& asked) {
 using Write = std::function<void(std::string_view)>;
 
 /// The events or the trajectory of a scene, as they come, some thousand rows at a time.
-void write_list(bool is_points, const Asked& asked, Format format, const Write& write) {
+void write_list(bool is_points, const AskedScene& asked, Format format, const Write& write) {
   const Scene& scene = asked.scene;
   const Names of_points{"time", "body", "position"};
   const Names of_events{"number", "left", "right", "time", "position", "v_left", "v_right"};
@@ -155,7 +155,7 @@ void write_list(bool is_points, const Asked& asked, Format format, const Write& 
 /// One list alone, without what stands before it.
 bool is_list(Format format) { return format == Format::csv || format == Format::json_lines; }
 
-void write_all(const Asked& asked, Format format, const Write& write) {
+void write_all(const AskedScene& asked, Format format, const Write& write) {
   const bool events = asked.scene.wants("events"), points = asked.scene.wants("trajectory");
   if (is_list(format)) {
     write_list(points && !events, asked, format, write);
@@ -186,7 +186,7 @@ Answer plan(const Request& request) {
 }
 
 Answer simulate(const Request& request) {
-  const Asked question = asked(request, "simulate");
+  const AskedScene question = asked(request, "simulate");
   Answer answer;
   const Result& result = question.result;
   answer.is_undecided = result.is_undecided;

@@ -67,7 +67,7 @@ void append_number(std::string& text, auto value) {
 }
 
 /// Broken at commas, or else blanks, where it would be too wide; lines below the first indented.
-std::string wrapped(const std::string& text, std::size_t indent) {
+std::string wrapped_cell(const std::string& text, std::size_t indent) {
   const std::size_t room = widest_text - indent;
   std::string lines;
   std::string_view rest = text;
@@ -196,7 +196,7 @@ std::string Writer::rows(std::span<const Row> block) {
       const Cell& cell = row.at(i);
       text += format_ == Format::csv    ? csv_field(cell.csv.empty() ? cell.text : cell.csv)
               : format_ != Format::text ? cell.json
-              : widths_.empty()         ? wrapped(shown(cell), width(before_[0]))
+              : widths_.empty()         ? wrapped_cell(shown(cell), width(before_[0]))
                                         : shown(cell);
     });
   }

@@ -24,7 +24,7 @@ void closed_form(Book& book, const Theorem& r_e_is) {
             same_sign(iff(lt(0, nearing(j)), lt(0, swing(j))), root_power(j) * side(j), {speed}));
 }
 /// Where kappa is below 1: how many collisions there are.
-void number(Book& book) {
+void how_many(Book& book) {
   const Known here;
   Exprs domain = of_wedge({lt(0, e), lt(kappa(), 1), V_positive});
   const Theorem cosine = turned(book["wedge.cosine"]);
@@ -220,7 +220,7 @@ void from_any_start(Book& book) {
                   "With a number by which the ball's approach to B counts,");
   know(positive(r_e_is));
   closed_form(book, r_e_is);
-  number(book);
+  how_many(book);
   line(book);
   collapse_from_any_start(book);
 }

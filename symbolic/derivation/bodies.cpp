@@ -82,12 +82,12 @@ Theorem angle(Book& book, const Theorem& q_is) {
 Expr weighed(Expr of_A, Expr of_B, Expr now, Expr last) { return of_A * now + of_B * r_e() * last; }
 /// Places at tau after collision j, seen from B's first one; velocities: no distance, tau is 1.
 void places(const Forms& forms, const InUnit& units) {
-  const Substitution distances = start_with(d_A, d_B);
+  const Substitution as_places = start_with(d_A, d_B);
   const auto name = [&](const std::string& symbol, Expr v) {
-    return forms.with({V, W, d_A, d_B, tau}, symbol, tau * v - substitute(v, distances),
+    return forms.with({V, W, d_A, d_B, tau}, symbol, tau * v - substitute(v, as_places),
                       forms.domain);
   };
-  const auto twice = [&](const Theorem& t) { return Theorems{t, at(t, distances)}; };
+  const auto twice = [&](const Theorem& t) { return Theorems{t, at(t, as_places)}; };
   const Theorem turn_next = at(part(forms.book["cycle.turn"], 1));
   const Theorem pow_next = at(part(at(forms.book["multiples.pow"], {{y, sqrt(e)}}), 1));
   const Theorem speed = forms.book["any_start.speed"];

@@ -3,7 +3,6 @@
 
 namespace derivation {
 namespace {
-Theorem in_paper(const Theorem& t) { return for_blocks(t, elastic); }
 Expr sine(Expr times) { return sin(times * half()); }
 }  // namespace
 

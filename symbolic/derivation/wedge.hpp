@@ -61,6 +61,7 @@ inline const Substitution blocks_of_paper{{M_A, 1}, {w_B, 1}, {M_C, alpha}};
 inline Expr in_paper(Expr t) { return substitute(substitute(t, blocks_of_paper), elastic); }
 inline Theorem lossless(const Book& book, const char* id) { return at(book[id], elastic); }
 Theorem for_blocks(const Theorem& t, Substitution terms = {}, const Theorems& facts = {});
+inline Theorem in_paper(const Theorem& t) { return for_blocks(t, elastic); }
 /// The start, and what the first collisions change.
 Theorems first_collisions(const Book& book, int count,
                           const Substitution& bodies = blocks_of_paper);

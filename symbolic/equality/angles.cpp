@@ -5,8 +5,8 @@ namespace equality {
 namespace {
 constexpr int most_parts = 12;  // q of q (left - right), a whole number of turns
 
-// The denominator of all multiples of angles, 0 where there are none.
-int parts_of(const Sum& sum) {
+// Of all multiples of angles, 0 where there are none.
+int common_denominator(const Sum& sum) {
   cln::cl_I parts = 1;
   bool has_angles = false;
   for (const auto& [product, q] : sum) {
@@ -92,7 +92,7 @@ bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vecto
     for (const Requirement& r : needs) forms.assume(r);
     for (const Requirement& r : shape) forms.assume(r);
     const Sum difference = forms.of(left) - forms.of(right);
-    const int parts = parts_of(difference);
+    const int parts = common_denominator(difference);
     if (parts == 0 || !forms.is_whole_turns(scaled(difference, parts))) return false;
     if (!is_connected(box, needs, shape, inside)) return false;
     const Ball there = enclosure(at(common[0], left - right), 128);

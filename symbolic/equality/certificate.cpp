@@ -9,7 +9,7 @@ using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
 constexpr int highest_order = 12, most_multiplied_out = 24, few_roots = 2, most_of_roots = 6;
-constexpr int most_below = 1000, most_parts = 60;   // a denominator; d of pi/d
+constexpr int most_below = 1000, most_of_pi = 60;   // a denominator; d of pi/d
 constexpr int most_work = 10, most_work_of_15 = 3;  // whose sines are of more roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
@@ -263,7 +263,7 @@ bool add_sines(Expr e, Roots& roots) {
   for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
   const int most = cln::mod(d, 15) == 0 ? most_work_of_15 : most_work;
   if (sines.empty()) return true;
-  if (d > most_parts || work(e, d) > most) return false;
+  if (d > most_of_pi || work(e, d) > most) return false;
   const auto part = algebra::part_of_pi(cln::cl_I_to_int(d));
   if (!part) return false;
   const Expr angle = algebra::left(part->cosine).arg(0);

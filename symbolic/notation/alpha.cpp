@@ -10,7 +10,7 @@ namespace notation {
 namespace {
 using kernel::refuse;
 
-constexpr std::size_t longest = 4096;
+constexpr std::size_t longest_alpha = 4096;
 constexpr std::string_view allowed =
     "; allowed: a decimal like 0.1 or 1e-9, a hex float like 0x1.8p-3, a fraction like 1/7, "
     "magic:k or deficient:k";
@@ -58,7 +58,7 @@ std::optional<double> read_double(std::string_view text) {
   const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
   text.remove_prefix(is_hex ? 2 : 0);
   // std::from_chars knows another sign, and words for what is not finite.
-  if (text.find_first_of("0123456789.abcdefABCDEF") != 0 || text.size() > longest) return {};
+  if (text.find_first_of("0123456789.abcdefABCDEF") != 0 || text.size() > longest_alpha) return {};
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
@@ -70,9 +70,9 @@ std::optional<double> read_double(std::string_view text) {
   return is_negative ? -value : value;
 }
 Alpha read_alpha(std::string_view text) {
-  if (text.size() > longest)
+  if (text.size() > longest_alpha)
     refuse("alpha is " + std::to_string(text.size()) + " characters long; allowed: up to " +
-           std::to_string(longest));
+           std::to_string(longest_alpha));
   if (text.starts_with('-')) refuse_value(text);
   if (text.starts_with("magic:")) return magic(number_k(text));
   if (text.starts_with("deficient:")) return deficient(number_k(text));

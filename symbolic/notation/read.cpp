@@ -9,19 +9,19 @@ namespace notation {
 using namespace kernel;
 namespace {
 
-const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
-const std::string digits = "0123456789";
-const std::string inside = letters + digits + "_'";  // c, c', c'_n
+const std::string ascii_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
+const std::string ascii_digits = "0123456789";
+const std::string inside = ascii_letters + ascii_digits + "_'";  // c, c', c'_n
 
 Token token(std::string_view text, std::size_t from) {
   const std::size_t i = std::min(text.find_first_not_of(' ', from), text.size());
   Token out{.column = i + 1, .is_spaced = i > from || i == 0};
   if (i == text.size()) return out;
   const auto is_of = [&](std::string_view all) { return all.find(text[i]) != all.npos; };
-  out.kind = is_of(digits) ? Kind::Number : is_of(letters) ? Kind::Name : Kind::Sign;
+  out.kind = is_of(ascii_digits) ? Kind::Number : is_of(ascii_letters) ? Kind::Name : Kind::Sign;
   std::size_t end = i + 1;
   if (out.kind != Kind::Sign)
-    end = text.find_first_not_of(out.kind == Kind::Number ? digits : inside, i);
+    end = text.find_first_not_of(out.kind == Kind::Number ? ascii_digits : inside, i);
   else if (is_of("!<>") && text.substr(end).starts_with('='))
     ++end;
   else if (!is_of("=<+-*/^()[],;:"))

@@ -9,7 +9,7 @@ namespace {
 
 using simulator::Collision, simulator::Engine;
 
-constexpr std::size_t most_bits = 1U << 17U;
+constexpr std::size_t most_exact_bits = 1U << 17U;
 constexpr double most_work = 5e8;  // some five seconds where exact numbers are asked for
 constexpr double some_work = 1e8;  // where they are only tried
 
@@ -34,7 +34,7 @@ struct Lengths {
     const auto bits = std::max({event.time.bits(), event.v_left.bits(), event.v_right.bits()});
     const auto length = static_cast<double>(bits);
     work += comparisons * (2000 + length * (1 + length / 2000));
-    if (bits <= most_bits && work <= most) return false;
+    if (bits <= most_exact_bits && work <= most) return false;
     throw Undecided("exact numbers become too long; possible with --max-events " +
                     std::to_string(event.number - 1));
   }
