@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <string>
+#include <cstring>
 #include <vector>
 
 // One operation. `does`: 'a' alpha, 'n' n, '=' the constant `value`; '+', '-', '*', '/' of nodes
@@ -23,8 +23,10 @@ struct Program {
 
 namespace nodes {
 
+inline bool is_of(char does, const char* these) { return std::strchr(these, does) != nullptr; }
+
 // From formulas with operands before their operation: "a1+" is alpha + 1. Nodes are new or shared.
-inline Program written(const std::vector<std::string>& formulas, bool is_shared) {
+inline Program written(std::initializer_list<const char*> formulas, bool is_shared) {
   Program program;
   std::vector<int> stack;
   const auto pop = [&] {
@@ -32,12 +34,12 @@ inline Program written(const std::vector<std::string>& formulas, bool is_shared)
     stack.pop_back();
     return last;
   };
-  for (const std::string& formula : formulas) {
-    for (const char c : formula) {
+  for (const char* formula : formulas) {
+    while (const char c = *formula++) {
       Node node{c, 0, 0, 0};
       if (c >= '0' && c <= '9') node = {'=', 0, 0, double(c - '0')};
-      if (std::string("+-*/").find(c) != std::string::npos) node.right = pop();
-      if (std::string("+-*/rsct").find(c) != std::string::npos) node.left = pop();
+      if (is_of(c, "+-*/")) node.right = pop();
+      if (is_of(c, "+-*/rsct")) node.left = pop();
       std::size_t i = is_shared ? 0 : program.nodes.size();
       const auto is_same = [&](const Node& other) {
         return other.does == node.does && other.left == node.left && other.right == node.right &&
@@ -52,11 +54,10 @@ inline Program written(const std::vector<std::string>& formulas, bool is_shared)
   return program;
 }
 
-// The velocities of A and B as products, in units of V.
+// The velocities of A and B as products, in units of V, psi twice as 2 atan(sqrt(a/(2 + a))).
 inline Program velocities(bool is_shared) {
-  const std::string h = "2a2a+/rt*", factor = "212a+/*1a+*";
   return written(
-      {factor + "n12/+" + h + "*c*n12/-" + h + "*c*", factor + "n1+" + h + "*s*n" + h + "*s*"},
+      {"212a+/*1a+*n12/+2a2a+/rt**c*n12/-2a2a+/rt**c*", "212a+/*1a+*n1+2a2a+/rt**s*n2a2a+/rt**s*"},
       is_shared);
 }
 
@@ -70,7 +71,7 @@ inline std::vector<double> run(const Program& program, double alpha, double n) {
   std::vector<double> values;
   for (const Node& node : program.nodes) {
     const int here = int(values.size());
-    const bool is_leaf = node.does == 'a' || node.does == 'n' || node.does == '=';
+    const bool is_leaf = is_of(node.does, "an=");
     for (const int used : {node.left, node.right})
       if (!is_leaf && (used < 0 || used >= here))
         refuse("node %d of your program uses node %d, which is not computed before it", here, used);

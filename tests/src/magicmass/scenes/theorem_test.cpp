@@ -186,12 +186,12 @@ void check(Line line, bool is_long, Seen& seen) {
 }  // namespace
 
 TEST_CASE("Random scenes by theorem, collision by collision, and in a mirror", "[check]") {
-  const int scenes = std::getenv("MAGICMASS_LONG") == nullptr ? 2'000 : 10'000;
+  const int scenes = std::getenv("MAGICMASS_LONG") == nullptr ? 1'000 : 10'000;
   Seen seen;
   for (int i = 0; seen.few + seen.many + seen.collapsed < scenes; ++i)
     check(random_line(), i % 20 == 0, seen);
   CHECK((seen.few > scenes / 10 * 7 && seen.many > scenes / 200));
-  CHECK((seen.collapsed > scenes / 10 && seen.narrow > scenes / 100 && seen.fled > scenes / 200));
+  CHECK((seen.collapsed > scenes / 10 && seen.narrow > scenes / 200 && seen.fled > scenes / 200));
 }
 
 TEST_CASE("A ball that hits the wall before it meets the block", "[check]") {
@@ -211,7 +211,7 @@ TEST_CASE("A ball that hits the wall before it meets the block", "[check]") {
       REQUIRE(stepped(line, 121).size() < 121);
       continue;
     }
-    check(line, true, seen);
+    check(line, i % 10 == 0, seen);
     const cl_RA early = (wall - x) / W / 2;
     REQUIRE(holds(trio->places(ball_of(Surd(early)), 0)[1], x + early * W));
     REQUIRE(holds(trio->velocities(0)[0], line.v[0]));
