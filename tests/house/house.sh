@@ -16,16 +16,15 @@ files() {
 mapfile -t all < <(files)
 of() { printf '%s\n' "${all[@]}" | grep -E "$1" || true; }
 mapfile -t code < <(of '\.(cpp|hpp)$')
-room_of() { # the longest room that a path is in
-  rooms | awk -v path="$1" '
-    index(path, $1 "/") == 1 && length($1) > length(best) {best = $1}
-    END {print best}'
-}
 
 # 1. Each C++ file belongs to a room; each room keeps its budget, and so does the house.
-for file in "${code[@]}"; do
-  printf '%s %s %s\n' "$(room_of "$file")" "$(grep -cv '^[[:space:]]*$' "$file" || true)" "$file"
-done >"$broken.lines"
+grep -Hcv '^[[:space:]]*$' "${code[@]}" | awk '
+  NR == FNR {rooms[$1]; next}
+  {
+    best = ""  # the longest room that the file is in
+    for (r in rooms) if (index($1, r "/") == 1 && length(r) > length(best)) best = r
+    print best, $2, $1
+  }' <(rooms) FS=: - >"$broken.lines"
 awk 'NF == 2 {print $2 ": is in no room of tests/house/rooms.txt"}' "$broken.lines" >>"$broken"
 printf '%-28s %7s %7s %7s %6s\n' room lines ceiling goal files
 rooms | while read -r room budget goal _; do
@@ -47,8 +46,7 @@ mapfile -t texts < <(of '(CMakeLists\.txt|cmake\.in|\.md|\.v|\.css)$')
 LC_ALL=C.UTF-8 grep -aHnE '^.{101}' "${code[@]}" "${scripts[@]}" "${texts[@]}" |
   grep -vE '^[^:]*\.md:[0-9]+:(\||!\[)' |
   sed -E 's/^([^:]*:[0-9]+):.*/\1: more than 100 columns/' >>"$broken" || true
-for file in "${code[@]}"; do
-  awk -v file="$file" '
+awk '
     {
       gsub(/\\./, ""); gsub(/\x27.\x27/, "0"); gsub(/"[^"]*"/, "\"\""); sub(/\/\/.*/, "")
       heads = $0
@@ -57,9 +55,8 @@ for file in "${code[@]}"; do
         heads ~ /^[ \t]*[a-z_:.]+@, [a-z_:.]+@;$/
       while (gsub(/\([^()]*\)/, "")) {}
       if (two || ($0 !~ /(^|[^a-z_])(for|if) \(/ && $0 ~ /;[ \t]*[^ \t})]/))
-        print file ":" FNR ": two statements on a line"
-    }' "$file"
-done >>"$broken"
+        print FILENAME ":" FNR ": two statements on a line"
+    }' "${code[@]}" >>"$broken"
 
 # 3. C++ has the endings .cpp and .hpp; scripts are few.
 endings='cpp|hpp|pc\.in|cmake\.in|md|txt|toml|tsv|csv|json|sh|gp|v|svg|css|supp'
