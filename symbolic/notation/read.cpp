@@ -11,7 +11,7 @@ namespace {
 
 const std::string ascii_letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 const std::string ascii_digits = "0123456789";
-const std::string inside = ascii_letters + ascii_digits + "_'";  // c, c', c'_n
+const std::string inside_names = ascii_letters + ascii_digits + "_'";  // c, c', c'_n
 
 Token token(std::string_view text, std::size_t from) {
   const std::size_t i = std::min(text.find_first_not_of(' ', from), text.size());
@@ -21,7 +21,7 @@ Token token(std::string_view text, std::size_t from) {
   out.kind = is_of(ascii_digits) ? Kind::Number : is_of(ascii_letters) ? Kind::Name : Kind::Sign;
   std::size_t end = i + 1;
   if (out.kind != Kind::Sign)
-    end = text.find_first_not_of(out.kind == Kind::Number ? ascii_digits : inside, i);
+    end = text.find_first_not_of(out.kind == Kind::Number ? ascii_digits : inside_names, i);
   else if (is_of("!<>") && text.substr(end).starts_with('='))
     ++end;
   else if (!is_of("=<+-*/^()[],;:"))

@@ -38,9 +38,9 @@ std::string text_of(const Line& line) {
          "positions = " + of(A, C, B) + "velocities = " + of(line.v[0], line.v[2], line.v[1]) +
          "restitution = " + quoted(line.e) + "\n";
 }
-std::mt19937_64 engine(41);
+std::mt19937_64 draws(41);
 cl_RA fraction(int from, int to, int below) {
-  return cl_RA(from + int(engine() % std::uint64_t(to - from + 1))) / below;
+  return cl_RA(from + int(draws() % std::uint64_t(to - from + 1))) / below;
 }
 /// With another ball or block, kappa is 1, or next to it; with another B, it runs away so fast that
 /// after some collision the ball and what it would meet next move on side by side.
@@ -52,7 +52,7 @@ void at_border(Line& line, bool is_exact) {
   if (!is_exact) line.ball = line.ball * (1 + fraction(-3, 3, 1) * near);
   const cl_RA V = line.v[0] - line.v[2], n = fraction(1, 99, 1);
   const cl_RA per_V = (n + 1) / n * (1 + line.e) * line.A_mass / 2 / (line.A_mass + line.ball);
-  if (line.per_B != 0 && engine() % 2 == 0) line.v[1] = line.v[2] + V * per_V;
+  if (line.per_B != 0 && draws() % 2 == 0) line.v[1] = line.v[2] + V * per_V;
 }
 /// Faster between A and the ball.
 void meet_at_once(Line& line) {
@@ -61,21 +61,21 @@ void meet_at_once(Line& line) {
   line.place = {0, (V + W) * t, V * t};
 }
 Line random_line() {
-  const bool has_wall = engine() % 3 == 0;
-  const cl_RA e = engine() % 2 == 0 ? cl_RA(1) : fraction(1, 40, 40);
+  const bool has_wall = draws() % 3 == 0;
+  const cl_RA e = draws() % 2 == 0 ? cl_RA(1) : fraction(1, 40, 40);
   const cl_RA drift = has_wall ? cl_RA(0) : fraction(-6, 6, 4);
   const cl_RA start = fraction(-8, 8, 4), free = fraction(0, 4, 3), L = fraction(0, 9, 7);
   const cl_RA V = fraction(1, 12, 4);
   // From V d_B / d_A on the ball meets B first, or all three meet at once.
   const cl_RA most = L * (free == 0 ? cl_RA(3) : V / free);
-  const cl_RA W = engine() % 2 == 0 ? cl_RA(0) : fraction(-20, 9, 10) * most;
+  const cl_RA W = draws() % 2 == 0 ? cl_RA(0) : fraction(-20, 9, 10) * most;
   const cl_RA per_B = has_wall ? cl_RA(0) : 1 / fraction(1, 40, 6);
-  const cl_RA A = fraction(1, 40, 6), ball = fraction(1, 24, engine() % 4 == 0 ? 400 : 12);
+  const cl_RA A = fraction(1, 40, 6), ball = fraction(1, 24, draws() % 4 == 0 ? 400 : 12);
   const cl_RA ball_place = start + free;
   Line line{
       A, per_B, ball, e, {drift + W + V, drift, drift + W}, {start, ball_place + L, ball_place}};
-  if (e < 1 && engine() % 4 == 0) at_border(line, engine() % 3 != 0);
-  if (engine() % 8 == 0) meet_at_once(line);
+  if (e < 1 && draws() % 4 == 0) at_border(line, draws() % 3 != 0);
+  if (draws() % 8 == 0) meet_at_once(line);
   return line;
 }
 bool holds(const Ball& ball, const cl_RA& x) {
@@ -128,7 +128,7 @@ void check_told(const std::vector<Numbers>& told, const std::vector<Step>& rows)
 }
 /// A collision at the time `until` belongs to the run.
 void check_until(Scene scene, const std::vector<Step>& rows) {
-  const cl_RA last = rows.at(engine() % rows.size()).time;
+  const cl_RA last = rows.at(draws() % rows.size()).time;
   if (rows.front().time == rows.back().time) return;
   scene.until = Value{"", Surd(last)};
   const Result result = run(scene);
@@ -198,9 +198,9 @@ TEST_CASE("A ball that hits the wall before it meets the block", "[check]") {
   int once = 0;
   Seen seen;
   for (int i = 0; i < 1000; ++i) {
-    const cl_RA e = engine() % 2 == 0 ? cl_RA(1) : fraction(1, 40, 40);
+    const cl_RA e = draws() % 2 == 0 ? cl_RA(1) : fraction(1, 40, 40);
     const cl_RA x = fraction(-8, 8, 4), wall = x + fraction(0, 6, 7), W = fraction(1, 12, 4);
-    const cl_RA ball = fraction(1, 24, engine() % 4 == 0 ? 4000 : 12), d_A = fraction(1, 9, 4);
+    const cl_RA ball = fraction(1, 24, draws() % 4 == 0 ? 4000 : 12), d_A = fraction(1, 9, 4);
     const cl_RA V = fraction(-12, 8, 8) * (wall == x ? cl_RA(3) : W * d_A / (wall - x));
     Line line{fraction(1, 40, 6), 0, ball, e, {W + V, 0, W}, {x - d_A, wall, x}};
     line.N = 1;  // so B is next
