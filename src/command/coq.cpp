@@ -29,13 +29,15 @@ Answer derive(const Request& request) {
   const std::string folder = request.text("output");
   if (folder.empty() || folder == "-")
     throw InvalidInput("derive: --format coq is a folder of files; allowed: -o FOLDER");
-  const auto texts = all_files().texts;
-  return write_folder("derive: -o", folder, [&] {
+  return write_folder("derive: -o", folder, [] {
+    const auto texts = all_files().texts;
     return generate::Texts{texts.begin(), texts.end()};
   });
 }
 
 Answer verify(const Request& request) {
+  if (request.has("with") && host::end_of({"coqc", "--version"}).code == host::not_there)
+    throw InvalidInput("verify: --with coq needs coqc (Debian: coq); allowed: no --with");
   Answer answer = answers::verify(request);
   if (!request.has("with") || answer.check_failed) return answer;
   const coq::Files files = all_files();
@@ -46,8 +48,6 @@ Answer verify(const Request& request) {
   for (const auto& [name, text] : files.texts) {
     const host::End said = host::end_of(
         {"coqc", "-q", "-w", "none", "-R", folder.path, "Magicmass", folder.path + "/" + name});
-    if (said.code == host::not_there)
-      throw InvalidInput("verify: --with coq needs coqc (Debian: coq); allowed: no --with");
     last = said.output;
     if (said.code != 0) {
       problem = name + ": " + said.errors;

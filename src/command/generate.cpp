@@ -148,18 +148,16 @@ answers::Answer write_folder(const std::string& option, const std::string& folde
   std::error_code error;
   const bool is_new = std::filesystem::create_directories(folder, error);
   if (error) refuse(error.message());
+  if (is_new) std::filesystem::remove(folder, error);  // lest it stays where time is up
+  const generate::Texts files = texts();
+  std::filesystem::create_directories(folder, error);
   try {
-    const generate::Texts files = texts();
-    try {
-      generate::write(folder, files);
-    } catch (const std::runtime_error& problem) {
-      refuse(problem.what());
-    }
-    return {{}, std::to_string(files.size()) + " files written to " + folder + "\n"};
-  } catch (...) {
+    generate::write(folder, files);
+  } catch (const std::runtime_error& problem) {
     if (is_new) std::filesystem::remove(folder, error);
-    throw;
+    refuse(problem.what());
   }
+  return {{}, std::to_string(files.size()) + " files written to " + folder + "\n"};
 }
 
 answers::Answer generate_files(const answers::Request& request) {
@@ -169,8 +167,8 @@ answers::Answer generate_files(const answers::Request& request) {
       throw InvalidInput("generate: --" + option +
                          " is of one header; allowed: with --quantity or --scene");
   const std::string folder = request.has("out") ? request.text("out") : "generated";
+  if (!request.has("check")) return write_folder("generate: --out", folder, generate::generated);
   const generate::Texts texts = generate::generated();
-  if (!request.has("check")) return write_folder("generate: --out", folder, [&] { return texts; });
   const std::vector<std::string> stale = generate::differences(folder, texts);
   const std::string files = std::to_string(texts.size()) + " files";
   if (stale.empty()) return {{}, folder + " is what the theorems give: " + files + "\n"};
