@@ -214,20 +214,20 @@ Parts flat(const Parts& p) {
 Expr make(const Parts& wanted) {
   const bool flattens = wanted.op == Op::Add || wanted.op == Op::Mul;
   const bool joins = flattens || wanted.op == Op::And || wanted.op == Op::Or;
-  Node node = checked(flattens ? flat(used(wanted)) : used(wanted));
-  const Parts& p = node.parts;
-  if ((joins && p.args.size() == 1) || (p.op == Op::Pow && p.exponent == 1)) return p.args[0];
+  const Parts p = flattens ? flat(used(wanted)) : used(wanted);
   static std::unordered_multimap<std::size_t, std::uint32_t> places;
   const std::size_t key = hash(p);
   Expr e;
   for (auto [it, end] = places.equal_range(key); it != end; ++it) {
     e.place = it->second;
-    if (equal(at(it->second).parts, p)) return e;
+    if (equal(at(it->second).parts, p)) return e;  // it was checked when it entered
   }
+  Node node = checked(p);
+  if ((joins && p.args.size() == 1) || (p.op == Op::Pow && p.exponent == 1)) return p.args[0];
   measure(node);
   if (nodes().size() >= UINT32_MAX) refuse("more than 2^32 terms");
   e.place = std::uint32_t(nodes().size());
-  nodes().push_back(node);
+  nodes().push_back(std::move(node));
   places.emplace(key, e.place);
   return e;
 }

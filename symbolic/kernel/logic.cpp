@@ -97,7 +97,7 @@ private:
     if (form.op() == Op::And) return value(form);  // equal matrices are equal in every entry
     const auto it = assigned.find(form);
     if (it != assigned.end()) return truth_of(it->second);
-    undecided = form;
+    if (undecided == Expr()) undecided = form;
     return Truth::Unknown;
   }
 
