@@ -1,7 +1,7 @@
 // One function template a quantity, one branch a case; others are refused at run time.
 #include <algorithm>
 #include <cmath>
-#include <regex>
+#include <sstream>
 
 #include "codegen/emit.hpp"
 
@@ -109,7 +109,6 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   std::string code;
   Words domains, counts, parameters;
   const bool is_exact = f.form == "exact", is_float = f.most_in_float < infinity;
-  const std::regex line_start("\n(?=.)");
   for (const Case& c : q.cases) {
     const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
     PlainText text(p);
@@ -132,8 +131,11 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
     if (e.header.find(p.doubling) == std::string::npos) e.header += p.doubling;
     const std::string inside = guard(f, c);
     if (&c != &q.cases.back()) {
-      code +=
-          "  if (" + inside + ") {" + std::regex_replace("\n" + body, line_start, "\n  ") + "  }\n";
+      code += "  if (" + inside + ") {\n";
+      std::istringstream lines(body);
+      for (std::string line; std::getline(lines, line);)
+        code += (line.empty() ? "" : "  ") + line + "\n";
+      code += "  }\n";
       continue;
     }
     const std::string of_float = is_float ? "; floats within " + hex(f.most_in_float) : "";
