@@ -310,9 +310,9 @@ TEST_CASE("each theorem is true at random points that satisfy its hypotheses") {
   for (const auto& chapter : the_book().chapters())
     for (const auto& s : chapter.statements) {
       INFO(s.id << ": " << kernel::text(s.theorem));
-      const Tried t = tried(s.theorem.hypotheses(), s.theorem.conclusion(), 40);
+      const Tried t = tried(s.theorem.hypotheses(), s.theorem.conclusion(), 100);
       CHECK(t.false_at == "");
-      CHECK(t.points >= (kernel::free_variables(s.theorem.conclusion()).empty() ? 1 : 40));
+      CHECK(t.points >= (kernel::free_variables(s.theorem.conclusion()).empty() ? 1 : 100));
     }
 }
 
