@@ -25,15 +25,17 @@ constexpr Definition definitions[]{{"psi", "psi", "rotation.psi"},
                                    {"c_n", "c", "power.c"},
                                    {"c_prime_n", "c'", "power.c_prime"}};
 
+Expr of_each(Expr e, Expr (*f)(Expr)) {
+  Exprs args = e.args();
+  std::ranges::transform(args, args.begin(), f);
+  return args.empty() ? e : with_args(e, args);
+}
 // A term of the book in the symbols that people type, which some functions of alpha and V are, too.
 Expr typed(Expr e) {
   static const std::set<std::string> names{"N_A", "N_B", "a_t", "b_t"};
   if (e.op() == Op::Var || (e.op() == Op::Fun && names.contains(e.name())))
     return notation::symbol(e.name());
-  if (e.size() == 0) return e;
-  Exprs args;
-  for (Expr arg : e.args()) args.push_back(typed(arg));
-  return with_args(e, args);
+  return of_each(e, typed);
 }
 
 /// The equation that defines such a name: "a_n", "c_prime_n", "beta_7"; nothing for another one.
@@ -49,16 +51,13 @@ Expr definition_of(const std::string& name) {
 }  // namespace
 
 Expr written_out(Expr e) {
-  if (e.size() == 0) return e;
-  if (e.op() == Op::Fun)
+  if (e.op() == Op::Fun && e.size() > 0)
     for (const Definition& d : definitions) {
       if (e.name() != d.function) continue;
       const Expr equation = derivation::shown(d.id).conclusion();
       return written_out(substitute(equation.arg(1), equation.arg(0).args(), e.args()));
     }
-  Exprs args;
-  for (Expr arg : e.args()) args.push_back(written_out(arg));
-  return with_args(e, args);
+  return of_each(e, written_out);
 }
 Expr right_side(const std::string& id) { return derivation::shown(id).conclusion().arg(1); }
 

@@ -37,13 +37,6 @@ std::string drawn(const std::string& script, const std::string& data, const std:
     throw std::runtime_error("figure: gnuplot could not draw: " + shown_text(said.errors, 200));
   return said.output;
 }
-/// No date, where it is not compressed; of the same length, since a PDF counts its bytes.
-std::string dateless(std::string pdf) {
-  const std::size_t begin = pdf.find("/CreationDate (");
-  const std::size_t end = pdf.find(')', begin);
-  if (begin == std::string::npos || end == std::string::npos) return pdf;
-  return pdf.replace(begin, end + 1 - begin, end + 1 - begin, ' ');
-}
 /// gnuplot's own title and description, which name its version, give way to the figure's.
 std::string described(std::string svg, const std::string& script) {
   const std::string last = "</desc>";
@@ -74,9 +67,7 @@ std::string picture(const Figure& figure, const Table& data, const std::string& 
   if (format == "csv") return rows;
   const std::string script = script_of(figure.name);
   const std::string drawing = drawn(script, rows, format);
-  return format == "svg"   ? described(drawing, script)
-         : format == "pdf" ? dateless(drawing)
-                           : drawing;
+  return format == "svg" ? described(drawing, script) : drawing;
 }
 
 std::vector<Figure> all_figures() {

@@ -9,8 +9,9 @@ using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
 constexpr int highest_order = 12, most_multiplied_out = 24, few_roots = 2, most_of_roots = 6;
-constexpr int most_below = 1000, most_of_pi = 60;   // a denominator; d of pi/d
-constexpr int most_work = 10, most_work_of_15 = 3;  // whose sines are of more roots
+constexpr int most_below = 1000, most_of_pi = 60;        // a denominator; d of pi/d
+constexpr std::array whole_parts{7, 9, 11, 13, 17, 19};  // d whose cosines have no square roots
+constexpr int most_work = 10, most_work_of_15 = 3, most_of_whole = 40;  // of no, many and no roots
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
@@ -167,8 +168,10 @@ struct Roots {
   std::optional<Expr> of_inverse(Expr root) {  // sqrt(1/u) is 1/sqrt(u)
     const Expr x = kernel::canonical(root.arg(0));
     const Expr u = kernel::canonical(algebra::simplified(1 / x));
-    const bool is_shorter = is_call(root, "sqrt") && u.weight() < x.weight();
-    return is_shorter ? std::optional(1 / kernel::sqrt(u)) : std::nullopt;
+    if (!is_call(root, "sqrt") || u.weight() >= x.weight()) return {};
+    const auto of = kernel::polynomial(u);
+    const Expr q = of.size() == 1 ? Expr(cln::abs(of.begin()->second)) : Expr(1);
+    return 1 / (kernel::sqrt(q) * kernel::sqrt(kernel::canonical(u / q)));
   }
   void add(Expr e) {
     for (Expr part : e.args()) add(part);
@@ -255,23 +258,62 @@ void name_bases(Expr e, kernel::Substitution& names, Theorems& turned) {
   }
   for (Expr part : e.args()) name_bases(part, names, turned);
 }
+// f(angle) = g(sum - angle), where that holds of all angles.
+Theorem reflected(Expr of, Expr sum, Expr (*g)(Expr)) {
+  const Expr x = kernel::real("x"), angle = of.arg(0), in_x = kernel::replace(of, angle, x);
+  return algebra::at(algebra::equation(in_x, g(sum - x), {}, {sum, x}), {{x, angle}});
+}
+// cos(t)^n in lower powers, t = pi/d: 3t is pi/3, or sin(nt) = sin((n + 1)t), and both are sin(t)
+// times polynomials in cos(t).
+Theorem power_of_cosine(int d) {
+  const Expr t = kernel::pi() / d, c = kernel::cos(t), s = kernel::sin(t),
+             cube = kernel::power(c, 3);
+  if (d == 9)
+    return algebra::linear(kernel::eq(cube, (6 * c + 1) / 8),
+                           {algebra::equation(kernel::cos(3 * t), 4 * cube - 3 * c, {}, {t}),
+                            algebra::part_of_pi(3)->cosine});
+  const int n = d / 2;
+  Expr before = 0, u = 1;
+  for (int k = 0; k < n; ++k) before = std::exchange(u, kernel::canonical(2 * c * u - before));
+  const Theorem same = reflected(kernel::sin(n * t), kernel::pi(), kernel::sin);
+  const Theorem is = algebra::equation(algebra::gap(same), s * (u - before), {}, {t});
+  const algebra::Certificate proof{.equations = {{-1, same}, {-1, is}},
+                                   .multipliers = {algebra::positive(s)}};
+  return algebra::solved_for(kernel::power(c, n),
+                             algebra::certified(kernel::eq(u - before, 0), proof));
+}
 // Sines of parts of pi by those of one part; false where they are too much.
 bool add_sines(Expr e, Roots& roots) {
   Exprs sines = parts_of(e);
   std::erase_if(sines, [](Expr part) { return !is_sine(part) || !is_algebraic_term(part); });
+  const auto parts_at = [](Expr of) { return cln::denominator(*multiple_of_pi(of.arg(0))); };
   cln::cl_I d = 1;
-  for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
-  const int most = cln::mod(d, 15) == 0 ? most_work_of_15 : most_work;
+  for (Expr of : sines) d = cln::lcm(d, parts_at(of));
   if (sines.empty()) return true;
-  if (d > most_of_pi || work(e, d) > most) return false;
-  const auto part = algebra::part_of_pi(cln::cl_I_to_int(d));
-  if (!part) return false;
-  const Expr angle = algebra::left(part->cosine).arg(0);
-  const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
-  roots.facts = roots.facts + algebra::angles(sines, {angle}) + Theorems{part->cosine, part->sine} +
-                part->signs;
-  roots.see(both);
-  roots.add(both);
+  if (d > most_of_pi) return false;
+  int parts = cln::cl_I_to_int(d);
+  const bool is_turned = parts % 4 == 2;  // to those of half as many parts
+  const bool is_whole = std::ranges::count(whole_parts, is_turned ? parts / 2 : parts) != 0;
+  const int most = is_whole ? most_of_whole : parts % 15 == 0 ? most_work_of_15 : most_work;
+  if (work(e, d) > most) return false;
+  if (is_whole) {
+    for (Expr of : is_turned ? sines : Exprs()) {
+      if (cln::oddp(parts_at(of))) continue;
+      const auto other = is_call(of, "sin") ? kernel::cos : kernel::sin;
+      roots.facts.push_back(reflected(of, kernel::pi() / 2, other));
+      sines.push_back(algebra::right(roots.facts.back()));
+    }
+    if (is_turned) parts /= 2;
+    roots.facts.push_back(power_of_cosine(parts));
+  } else {
+    const auto part = algebra::part_of_pi(parts);
+    if (!part) return false;
+    const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
+    roots.facts = roots.facts + Theorems{part->cosine, part->sine} + part->signs;
+    roots.see(both);
+    roots.add(both);
+  }
+  roots.facts = roots.facts + algebra::angles(sines, {kernel::pi() / parts});
   return true;
 }
 }  // namespace

@@ -153,7 +153,7 @@ public:
     for (const auto& [root, order] : roots)
       if (order != 2 || !is_in_circle(root.arg(0))) degree *= order;
     // The angles' cosines and sines lie in the real part of the field of one root of unity.
-    degree *= circle > 2 ? double(totient(circle)) / 2 : 1;
+    degree *= double(circle) / (circle > 2 ? 2 : 1);
     return (degree - 1) * std::max(bounds.u, 0.0) + bounds.l + 2;
   } catch (const NotCertain&) {
     return {};
@@ -171,15 +171,6 @@ private:
     for (std::int64_t p = 2; p * p <= m; ++p)
       while (m % (p * p) == 0) m /= p * p;
     return m <= 1 || circle % (4 * m) == 0;
-  }
-  static std::int64_t totient(std::int64_t n) {
-    std::int64_t left = n, out = n;
-    for (std::int64_t p = 2; p * p <= left; ++p) {
-      if (left % p != 0) continue;
-      while (left % p == 0) left /= p;
-      out -= out / p;
-    }
-    return left > 1 ? out - out / left : out;
   }
   static void need(bool is_small_and_algebraic) {
     if (!is_small_and_algebraic) throw NotCertain("no bound of separation");

@@ -28,7 +28,6 @@ public:
       verdict.answer = Answer::Equal;
       if (wanted != Wanted::Case) add_conditions();
       if (wanted != Wanted::Explanation) return verdict;
-      note_power();
       try {
         verdict.theorem = certified(asked, given, needs, domain);
         verdict.proof += ", certified by the kernel";
@@ -326,20 +325,6 @@ private:
           there.further.pop_back();
         }
       }
-  }
-  /// Symbols in an exponent whose values the domain does not fix.
-  void note_power() {
-    for (Expr e : parts_of(left - right)) {
-      if (!is_call(e, "raised") || kernel::free_variables(e.arg(1)).empty()) continue;
-      const std::string condition = text(Requirement{Need::NotNegative, e.arg(0)});
-      if (std::ranges::count(verdict.conditions, condition) == 0 ||
-          Forms(domain).is_integer(e.arg(1)))
-        continue;
-      verdict.notes.push_back(typed_text(e) + " has a value where " + condition +
-                              ", or where the symbols of its exponent are whole; a value that the "
-                              "domain gives them is put in first");
-      return;
-    }
   }
 };
 }  // namespace
