@@ -1,5 +1,7 @@
 #include "answers/meanings.hpp"
 
+#include <algorithm>
+
 #include "derivation/book.hpp"
 #include "notation/typed.hpp"
 
