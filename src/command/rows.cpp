@@ -20,11 +20,12 @@ using namespace answers;
 
 constexpr std::size_t longest_line = std::size_t{1} << 16U;
 
-constexpr std::string_view blanks = " \t";
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  return text.substr(0, text.find_last_not_of(blanks) + 1);
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 }  // namespace
@@ -100,7 +101,8 @@ bool CsvReader::next_line() {
 
 void CsvReader::split_line() {
   const auto after_blanks = [this](std::size_t at) {
-    return std::min(line_.find_first_not_of(blanks, at), line_.size());
+    while (at < line_.size() && is_blank(line_[at])) ++at;
+    return at;
   };
   size_ = 0;
   for (std::size_t at = 0;; ++at) {

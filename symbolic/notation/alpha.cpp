@@ -64,9 +64,9 @@ std::optional<double> read_double(std::string_view text) {
   const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
   const auto [stop, error] = std::from_chars(text.data(), end, value, format);
   if (stop != end || error == std::errc::invalid_argument) return {};
+  if (error == std::errc() && value != 0) return is_negative ? -value : value;
   const std::string_view mantissa = text.substr(0, text.find_first_of(is_hex ? "pP" : "eE"));
-  const bool is_zero = mantissa.find_first_not_of("0.") == mantissa.npos;
-  if (!is_zero && (error != std::errc() || value == 0)) value = HUGE_VAL;
+  if (mantissa.find_first_not_of("0.") != mantissa.npos) value = HUGE_VAL;
   return is_negative ? -value : value;
 }
 Alpha read_alpha(std::string_view text) {

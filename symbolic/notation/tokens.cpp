@@ -184,10 +184,12 @@ private:
   }
 
   std::string plain_word() {
+    const std::string word = run(is_plain), f = word.substr(0, word.find_first_of("0123456789"));
     const auto greek = greek_names().find(peek());
-    if (greek == greek_names().end()) return run(is_plain);
+    const bool joins = word.empty() || (f != word && is_function(f));  // cos2θ is refused
+    if (greek == greek_names().end() || !joins) return word;
     ++at;
-    return greek->second;
+    return word + greek->second;
   }
   // \rm, \text, \textit, \mathrm, \mathit...
   bool skips_font() {

@@ -41,8 +41,7 @@ TEST_CASE("Tiers keep their promises", "[check]") {
     INFO(one.evaluator << ", " << name_of(one.quantity) << ", " << one.family);
     const std::string& name = one.evaluator;
     const bool is_accurate = name.starts_with("accurate") || name == "exact rational";
-    if (is_accurate) CHECK(one.errors.misrounded == 0);
-    if (is_accurate) CHECK(one.errors.max_ulp <= 0.5);
+    if (is_accurate) CHECK((one.errors.misrounded == 0 && one.errors.max_ulp <= 0.5));
     if (name.starts_with("fast")) CHECK(one.errors.over_envelope <= 4);
     if (is_accurate || name.starts_with("count")) CHECK(one.errors.wrong == 0);
   }
@@ -63,8 +62,7 @@ TEST_CASE("Three ulp planted in one family are found there alone", "[check]") {
     const bool is_there = one.family == "subnormal";
     CHECK((one.errors.max_ulp > 2.4) == is_there);
     CHECK((one.errors.misrounded > 0) == is_there);
-    if (is_there) CHECK(one.errors.max_ulp <= 3.5);
-    if (is_there) CHECK(one.errors.worst.alpha < std::numeric_limits<double>::min());
+    if (is_there) CHECK((one.errors.max_ulp <= 3.5 && one.errors.worst.alpha < 0x1p-1022));
   }
 }
 
