@@ -258,16 +258,11 @@ void name_bases(Expr e, kernel::Substitution& names, Theorems& turned) {
   }
   for (Expr part : e.args()) name_bases(part, names, turned);
 }
-// f(angle) = g(sum - angle), where that holds of all angles.
-Theorem reflected(Expr of, Expr sum, Expr (*g)(Expr)) {
-  const Expr x = kernel::real("x"), angle = of.arg(0), in_x = kernel::replace(of, angle, x);
-  return algebra::at(algebra::equation(in_x, g(sum - x), {}, {sum, x}), {{x, angle}});
-}
 // cos(t)^n in lower powers, t = pi/d: 3t is pi/3, or sin(nt) = sin((n + 1)t), and both are sin(t)
 // times polynomials in cos(t).
 Theorem power_of_cosine(int d) {
-  const Expr t = kernel::pi() / d, c = kernel::cos(t), s = kernel::sin(t),
-             cube = kernel::power(c, 3);
+  const Expr x = kernel::real("x"), pi = kernel::pi(), t = pi / d, c = kernel::cos(t),
+             s = kernel::sin(t), cube = kernel::power(c, 3);
   if (d == 9)
     return algebra::linear(kernel::eq(cube, (6 * c + 1) / 8),
                            {algebra::equation(kernel::cos(3 * t), 4 * cube - 3 * c, {}, {t}),
@@ -275,7 +270,8 @@ Theorem power_of_cosine(int d) {
   const int n = d / 2;
   Expr before = 0, u = 1;
   for (int k = 0; k < n; ++k) before = std::exchange(u, kernel::canonical(2 * c * u - before));
-  const Theorem same = reflected(kernel::sin(n * t), kernel::pi(), kernel::sin);
+  const Theorem mirror = algebra::equation(kernel::sin(x), kernel::sin(pi - x), {}, {pi, x});
+  const Theorem same = algebra::at(mirror, {{x, n * t}});
   const Theorem is = algebra::equation(algebra::gap(same), s * (u - before), {}, {t});
   const algebra::Certificate proof{.equations = {{-1, same}, {-1, is}},
                                    .multipliers = {algebra::positive(s)}};
@@ -286,24 +282,15 @@ Theorem power_of_cosine(int d) {
 bool add_sines(Expr e, Roots& roots) {
   Exprs sines = parts_of(e);
   std::erase_if(sines, [](Expr part) { return !is_sine(part) || !is_algebraic_term(part); });
-  const auto parts_at = [](Expr of) { return cln::denominator(*multiple_of_pi(of.arg(0))); };
   cln::cl_I d = 1;
-  for (Expr of : sines) d = cln::lcm(d, parts_at(of));
+  for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
   if (sines.empty()) return true;
   if (d > most_of_pi) return false;
-  int parts = cln::cl_I_to_int(d);
-  const bool is_turned = parts % 4 == 2;  // to those of half as many parts
-  const bool is_whole = std::ranges::count(whole_parts, is_turned ? parts / 2 : parts) != 0;
+  const int parts = cln::cl_I_to_int(d);
+  const bool is_whole = std::ranges::count(whole_parts, parts) != 0;
   const int most = is_whole ? most_of_whole : parts % 15 == 0 ? most_work_of_15 : most_work;
   if (work(e, d) > most) return false;
   if (is_whole) {
-    for (Expr of : is_turned ? sines : Exprs()) {
-      if (cln::oddp(parts_at(of))) continue;
-      const auto other = is_call(of, "sin") ? kernel::cos : kernel::sin;
-      roots.facts.push_back(reflected(of, kernel::pi() / 2, other));
-      sines.push_back(algebra::right(roots.facts.back()));
-    }
-    if (is_turned) parts /= 2;
     roots.facts.push_back(power_of_cosine(parts));
   } else {
     const auto part = algebra::part_of_pi(parts);

@@ -110,7 +110,9 @@ private:
   Ball raised(Expr base, Expr exponent) {
     auto value = notation::rational_value(exponent);
     if (!value && sign(base) < 0) {
-      value = near_fraction((*this)(exponent).low(), 1);
+      const Ball power = (*this)(exponent);
+      if (power.high() - power.low() > 1) throw NotCertain("whether an exponent is whole");
+      value = near_fraction(power.low(), 1);
       if (value && sign(exponent - Expr(*value)) != 0) value.reset();
     }
     const bool is_whole = value && cln::denominator(*value) == 1;

@@ -146,7 +146,16 @@ private:
   bool proved(const std::string& how) { return verdict.proof = how, true; }
   bool prove() {
     if (left == right) return proved("both sides are the same expression");
-    if (prove_at_whole_exponents()) return true;
+    for (Expr e : parts_of(left - right)) {
+      if (!is_call(e, "raised") || kernel::free_variables(e.arg(1)).empty() ||
+          !is_whole_form(e.arg(1)) || Forms(domain).is_integer(e.arg(1)))
+        continue;
+      if (!is_proved_below_0(e))
+        return proved("not decided at whole exponents of " + typed_text(e.arg(0))), false;
+      if (!is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain)) continue;
+      verdict.conditions = {typed_text(e.arg(1)) + " integer"};
+      return true;
+    }
     if (has_impossible_need()) return false;
     const Expr difference = left - right;
     if (domain.ranges.empty() && exact_sign(difference) == 0)
@@ -224,28 +233,30 @@ private:
       if (range.contains(value) && !is_proved_where(x, "=", value)) return false;
     return true;
   }
-  /// (-1)^x has values only where x is whole.
-  bool prove_at_whole_exponents() {
-    Expr exponent;  // not always whole, of a power whose base is negative
-    for (Expr e : parts_of(left - right))
-      if (!exponent && is_call(e, "raised") && !kernel::free_variables(e.arg(1)).empty() &&
-          !Forms(domain).is_integer(e.arg(1)) &&
-          is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain))
-        exponent = e.arg(1);
-    if (!exponent) return false;
-    Domain all = domain;
-    std::vector<std::string> how;
-    for (Expr x : kernel::free_variables(exponent))
-      if (!std::exchange(all.ranges[x].is_integer, true)) how.push_back(typed_text(x) + " integer");
-    if (!Forms(all).is_integer(exponent)) {
-      verdict.conditions = {typed_text(exponent) + " integer"};
-      return is_proved_where(exponent, "=", kernel::integer("whole_exponent"));
-    }
-    if (!is_proved_on(all)) return false;
-    verdict.conditions = how;
-    domain = all;  // nothing else is asked of its bases
-    needs = requirements(left - right, domain);
-    return true;
+  /// x^y below 0 where y is whole, as are its symbols; (-1)^y has values there alone.
+  bool is_proved_below_0(Expr power) {
+    const Expr base = power.arg(0), exponent = power.arg(1), k = kernel::integer("whole_exponent");
+    Domain whole = domain;
+    whole.further.push_back({base, "<", 0});
+    Expr others = left - right;  // what else is needed
+    const Exprs parts = parts_of(others);
+    for (Expr e : parts)
+      if (is_call(e, "raised") && is_certain({Need::Positive, Expr(-1) * e.arg(0)}, whole))
+        for (Expr x : kernel::free_variables(e.arg(1))) whole.ranges[x].is_integer = true;
+    for (auto e = parts.rbegin(); e != parts.rend(); ++e)
+      if (is_call(*e, "raised") && !Forms(whole).is_integer(e->arg(1)))
+        others = kernel::replace(others, *e, e->arg(0) + e->arg(1));
+    const auto never_holds = [&](const Requirement& r) {
+      return r.kind != Need::NotZero && is_certain({Need::Positive, -r.term}, whole);
+    };
+    if (is_certain({Need::NotNegative, base}, domain, requirements(base - exponent, domain)) ||
+        std::ranges::any_of(requirements(others, whole), never_holds))
+      return true;
+    if (!Forms(whole).is_integer(exponent)) whole.further.push_back({exponent, "=", k});
+    if (!Forms(whole).is_integer(exponent)) whole.ranges[k] = {.is_integer = true};
+    return wanted != Wanted::Case && is_proved([&] {
+             return decide(left, right, whole, Wanted::Case).answer == Answer::Equal;
+           });
   }
   bool is_same_form(Expr other) {
     try {
@@ -295,13 +306,9 @@ private:
       note_gap(r.term);
       for (const auto& [side, other] : {std::pair("left", right), {"right", left}})
         if (verdict.notes.empty() && std::ranges::all_of(requirements(other, domain), is_sure))
-          verdict.notes = {std::string("the ") + side + " side alone " + shown_need(r)};
+          verdict.notes = {std::string("the ") + side + " side alone " +
+                           said_of_zero(r.term, domain)};
     }
-  }
-  std::string shown_need(const Requirement& r) const {
-    const std::string zero = near_zero(r.term, domain);
-    return zero.empty() ? "needs " + text(r)
-                        : "has no value at a zero of " + typed_text(r.term) + ", near " + zero;
   }
   /// Where a divisor is 0 at none of the points that were tried, as at x = sqrt(2) or y = 7/x.
   void note_gap(Expr divisor) {

@@ -84,9 +84,11 @@ std::optional<Expr> zero_of(Expr term, Expr x);
 std::array<Expr, 3> quadratic_in(Expr term, Expr x);
 /// And where it may be 0: quadratic in x, or with x in one function that has an inverse.
 Exprs zeros_of(Expr term, Expr x);
-/// "x = 1.32472", to six digits: where a term of x that has values all over the domain changes its
-/// sign; "" where that was not found.
-std::string near_zero(Expr term, const Domain& domain);
+/// "has no value at a zero of x^3 - x - 1, near x = 1.32472", to six digits, where a divisor of x
+/// that has values all over the domain changes its sign; "needs ... != 0" where that was not found.
+std::string said_of_zero(Expr divisor, const Domain& domain);
+/// Of +, *, powers, moduli and constants: where its symbols are whole it may be meant to be.
+bool is_whole_form(Expr e);
 /// What holds where it says so of several symbols, or of one and an irrational number.
 std::vector<Requirement> conditions(const Domain& domain);
 
@@ -161,7 +163,6 @@ private:
   Exponent exponent_of(const Sum& sum);
   Sum sum_of(const Exponent& exponent) { return of(kernel::expression(exponent)); }
   bool is_integer(const Exponent& exponent) const;
-  bool is_integer_symbol(Expr atom) const { return of_part(where.ranges, atom).is_integer; }
   bool is_complex(Expr atom);
   Sum conjugated(const Sum& sum);
   Exponent constant(Expr atom, const Exponent& e);

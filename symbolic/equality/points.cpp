@@ -86,17 +86,22 @@ void collect_turns(Expr e, std::set<cln::cl_RA>& found) {
   for (const cln::cl_RA& value : values)
     if (cln::integer_length(cln::numerator(value)) <= 200) found.insert(value);
 }
-// x^y is taken at negative x where the symbols of y are whole numbers; elsewhere it is what a real
-// power is, though (-1/2)^y has a value by accident at some fractions.
+// x^y is taken at negative x where the symbols of y are whole numbers, and y no quotient of them;
+// elsewhere it is what a real power is, though it has a value by accident at some fractions.
 bool has_accident(const Point& point, Expr term, int bits) {
   for (Expr e : parts_of(term))
     if (is_call(e, "raised") && enclosure(at(point, e.arg(0)), bits).high() < 0)
       for (Expr symbol : kernel::free_variables(e.arg(1)))
-        if (cln::denominator(point.at(symbol)) != 1) return true;
+        if (cln::denominator(point.at(symbol)) != 1 || !is_whole_form(e.arg(1))) return true;
   return false;
 }
 }  // namespace
 
+bool is_whole_form(Expr e) {
+  const bool is_other = e.op() == Op::Fun && !is_call(e, "raised") && !is_call(e, "abs");
+  if (kernel::free_variables(e).empty()) return true;
+  return !is_other && std::ranges::all_of(e.args(), is_whole_form);
+}
 std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& of, bool inside) {
   std::set<cln::cl_RA> special;
   for (Expr e : of) collect_turns(e, special);
@@ -143,9 +148,10 @@ std::vector<Point> points(const Domain& domain, std::size_t count, const Exprs& 
     add([&](std::size_t j) { return (i * (2 * j + 3) + 5 * j) % values[j].size(); });
   return out;
 }
-std::string near_zero(Expr term, const Domain& domain) {
+std::string said_of_zero(Expr term, const Domain& domain) {
+  const std::string name = notation::typed_text(term);
   if (domain.ranges.size() != 1 || !domain.further.empty() || !requirements(term, domain).empty())
-    return {};
+    return "needs " + name + " != 0";
   const Expr x = domain.ranges.begin()->first;
   const auto sign = [&](const cln::cl_RA& q) { return exact_sign(at({{x, q}}, term)).value_or(0); };
   std::map<cln::cl_RA, int> signs;
@@ -156,9 +162,10 @@ std::string near_zero(Expr term, const Domain& domain) {
     for (int halves = 0; halves < most_halves; ++halves)
       (sign((low + high) / 2) == last->second ? low : high) = (low + high) / 2;
     if (const auto digits = balls::decimal(low, high, 6))
-      return notation::typed_text(x) + " = " + *digits;
+      return "has no value at a zero of " + name + ", near " + notation::typed_text(x) + " = " +
+             *digits;
   }
-  return {};
+  return "needs " + name + " != 0";
 }
 std::optional<bool> holds(const notation::Comparison& c) try {
   const Expr difference = c.left - c.right;

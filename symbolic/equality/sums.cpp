@@ -157,7 +157,7 @@ bool Forms::is_integer(const Exponent& exponent) const {
   for (const auto& [monomial, q] : exponent) {
     if (!is_whole(q)) return false;
     for (const auto& [atom, k] : monomial)
-      if (!is_integer_symbol(atom)) return false;
+      if (!of_part(where.ranges, atom).is_integer) return false;
   }
   return true;
 }
