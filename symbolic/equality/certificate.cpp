@@ -289,7 +289,7 @@ bool add_sines(Expr e, Roots& roots) {
   const int parts = cln::cl_I_to_int(d);
   const bool is_whole = std::ranges::count(whole_parts, parts) != 0;
   const int most = is_whole ? most_of_whole : parts % 15 == 0 ? most_work_of_15 : most_work;
-  if (work(e, d) > most) return false;
+  if (work(e, d) > most || (is_whole && std::ranges::any_of(parts_of(e), is_root))) return false;
   if (is_whole) {
     roots.facts.push_back(power_of_cosine(parts));
   } else {
