@@ -22,7 +22,7 @@ panels = 'a b c'
 names = "'(a) α = α_3' '(b) α = 0.12' '(c) α = 0.10'"
 do for [i=1:3] {
   set label 1 word(names, i) at graph 0.03,0.9
-  if (i == 3) { set xlabel 't / τ' } else { unset xlabel }
+  if (i == 3) { set xlabel 't / (L/V)' } else { unset xlabel }
   plot $data using 2:(strcol(1) eq word(panels, i) ? $5 : NaN) with lines lw 3 lc rgb '#0072b2', \
        $data using 2:(strcol(1) eq word(panels, i) ? $4 : NaN) with lines \
             lw 3 dt (6,4) lc rgb '#d55e00', \
