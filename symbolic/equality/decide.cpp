@@ -152,10 +152,10 @@ private:
         continue;
       if (!is_proved_below_0(e))
         return proved("not decided at whole exponents of " + typed_text(e.arg(0))), false;
-      if (!is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain)) continue;
-      verdict.conditions = {typed_text(e.arg(1)) + " integer"};
-      return true;
+      if (is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain))
+        verdict.conditions.push_back(typed_text(e.arg(1)) + " integer");
     }
+    if (!verdict.conditions.empty()) return proved("whole exponents: elsewhere there is no value");
     if (has_impossible_need()) return false;
     const Expr difference = left - right;
     if (domain.ranges.empty() && exact_sign(difference) == 0)
