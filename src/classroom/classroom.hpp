@@ -54,9 +54,8 @@ std::map<std::string, Attempts> attempts();
 void remember(const Exercise& exercise, Judgement& said);
 void remember_hint(const Exercise& exercise, std::size_t number);
 
-/// Compiles the answer with the exercise's driver and runs it with these inputs, once however often
-/// the results are asked for. No file of it is left, no process. Throws answers::Undecided where
-/// there is no compiler, or no filter of system calls: nothing is run without one.
+/// Compiles the answer with the exercise's driver, runs it with these inputs, once for all who ask,
+/// and leaves nothing. Throws answers::Undecided without a compiler or a filter of system calls.
 learn::Ran run_code(const Exercise& exercise, const std::string& code, const learn::Rows& inputs);
 
 }  // namespace classroom

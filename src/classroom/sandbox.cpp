@@ -37,7 +37,7 @@ std::string declared(const std::string& driver) {
   return answers::joined(lines, " ");
 }
 
-/// The first error alone: a page of notes on templates teaches nobody.
+/// Not a page of notes on templates, which teaches nobody.
 std::string first_error(const End& compiled, const std::string& folder, const std::string& driver) {
   if (compiled.is_late) return "compiling took more than " + std::to_string(compile_seconds) + " s";
   if (compiled.errors.find("File size limit") != std::string::npos)
@@ -106,9 +106,8 @@ learn::Ran read_results(const End& end, const std::string& seal) {
   return ran;
 }
 
-/// From now on the system ends this process (SIGSYS) with whatever a statically linked program that
-/// computes does not ask for: it opens no file, starts none, signals none, sees no network. It
-/// may set the limit `memory` and become `program`, by these pointers. False where no filter is.
+/// From now on whatever a static program that computes does not ask for ends this process (SIGSYS).
+/// It may set the limit `memory` and become `program`, by these pointers. False without a filter.
 bool compute_only(const char* program, const rlimit* memory) {
   const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_KILL_PROCESS);
   bool is_good = filter != nullptr;
@@ -169,28 +168,31 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
   std::ofstream(folder.path + "/called.cpp")
       << "#include \"answer.cpp\"\n"
       << learn::replaced(e.driver, "struct (\\w+) \\{[^{}]*\\};", unused);
-  host::Bounds bounds{.seconds = compile_seconds,
-                      .bytes = 1024 * mebibyte,
-                      .file_bytes = 64 * mebibyte,
-                      .folder = folder.path};
-  const auto compile = [&](const std::string& how) {  // alike, lest an answer tells them apart
-    learn::Texts words = learn::split(
-        "env LC_ALL=C c++ -std=c++20 -O1 -ffp-contract=off -w -fmax-errors=1 called.cpp " + how,
-        ' ');
-    words.insert(words.begin() + 1, "TMPDIR=" + folder.path);
-    return host::end_of(words, "", bounds);
+  const auto compile = [&](const std::string& how, auto confine) {
+    const std::string flags = "-std=c++20 -O1 -ffp-contract=off -w -fmax-errors=1 ";
+    return host::end_of(learn::split("env LC_ALL=C TMPDIR=. c++ " + flags + how, ' '), "",
+                        {.seconds = compile_seconds,
+                         .bytes = 1024 * mebibyte,
+                         .file_bytes = 64 * mebibyte,
+                         .folder = folder.path,
+                         .confine = confine});
   };
-  std::istringstream names(compile("-M").output);
+  End made = compile("-c -MD -MF /dev/stdout called.cpp", read_programs_only);
+  if (made.code == host::not_there)
+    throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
+  std::istringstream names(made.code == 0 ? made.output : compile("-M called.cpp", nullptr).output);
   for (std::string name; names >> name;)  // beside an answer, or the system's
     if (name.find('/') != name.npos && (!name.starts_with("/usr/") || name.find("..") != name.npos))
       return {.unread = "it includes " + answers::shown_text(name) +
                         "; allowed: headers of the standard library"};
-  bounds.confine = read_programs_only;
-  const End compiled = compile("-x c++ exercise_driver.hpp -static -o program");
-  if (compiled.code == host::not_there)
-    throw answers::Undecided("learn: code is compiled by c++, which is not here (Debian: g++)");
-  if (compiled.is_late || compiled.code != 0)
-    return {.unread = first_error(compiled, folder.path, e.driver)};
+  static std::string ours;  // main(), compiled once for all answers
+  std::ofstream(folder.path + "/main.o") << ours;
+  if (made.code == 0 && ours.empty()) {
+    made = compile("-c -x c++ exercise_driver.hpp -o main.o", nullptr);
+    ours = {std::istreambuf_iterator(std::ifstream(folder.path + "/main.o").rdbuf()), {}};
+  }
+  if (made.code == 0) made = compile("called.o main.o -static -o program", read_programs_only);
+  if (made.code != 0) return {.unread = first_error(made, folder.path, e.driver)};
 
   std::random_device random;
   std::string seal;
@@ -206,8 +208,7 @@ learn::Ran compiled_and_run(const Exercise& e, const std::string& code, const le
                                 .folder = folder.path,
                                 .confine = compute_only});
   if (!end.was_confined)
-    throw answers::Undecided(
-        "learn: this system cannot confine a program to computing (seccomp), so none is run");
+    throw answers::Undecided("learn: nothing is run where the system cannot confine it (seccomp)");
   return read_results(end, seal);
 }
 

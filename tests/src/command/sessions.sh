@@ -68,7 +68,7 @@ while IFS=$'\t' read -r command part; do
 done <"$folder/refusals.tsv"
 
 # Rows of BOUNDS.md: the largest that is answered, seconds, MiB, a step beyond it, exit code, what
-# it says.
+# it says. What takes longer is for the long preset.
 expect() { # command, exit code, what it says
   local said status=0
   rm -rf "$scratch/place" && mkdir "$scratch/place" && cd "$scratch/place"
@@ -81,8 +81,10 @@ rows=0
 while IFS='|' read -r _ largest seconds _ beyond status says _; do
   [[ -z ${ASAN_OPTIONS-} && $largest == *magicmass* && $beyond == *magicmass* ]] || continue
   read -r largest <<<"$largest" && read -r beyond <<<"$beyond" && read -r says <<<"$says"
-  expect "$beyond" $status "$says"
-  ((${seconds%.*} >= 2)) || expect "$largest" 0 ""
+  is_quick=0
+  [[ ${seconds%.*} -ge 2 && -z ${MAGICMASS_LONG-} ]] || is_quick=1
+  ((status == 3 && !is_quick)) || expect "$beyond" $status "$says"
+  ((!is_quick)) || expect "$largest" 0 ""
   ((rows += 1))
 done <"$folder/../../../src/command/BOUNDS.md"
 ((rows > 20)) || [[ ${ASAN_OPTIONS-} ]] || failed=1
