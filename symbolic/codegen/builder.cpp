@@ -9,7 +9,7 @@ namespace codegen {
 namespace {
 constexpr double largest_whole = 0x1p51;  // `nearest` of the runtime
 /// The ranges of functions.
-const std::map<Op, Interval (*)(Interval)> functions{
+const std::map<Op, Interval (*)(Interval)> ranges_of_functions{
     {Op::size, magnitude}, {Op::root, root},     {Op::reciprocal_root, reciprocal_root},
     {Op::sine, sine},      {Op::cosine, cosine}, {Op::arc_tangent, arc_tangent}};
 }  // namespace
@@ -77,7 +77,7 @@ Interval Builder::range_of(const Node& n) const {
     case Op::step:
       return of(0) + Interval{-1, 0};
     default:
-      return functions.at(n.op)(of(0));
+      return ranges_of_functions.at(n.op)(of(0));
   }
 }
 

@@ -12,7 +12,6 @@ void refuse(const std::string& why) { throw Refused(why); }
 
 namespace {
 constexpr int max_depth = 1000;
-constexpr int max_exponent = 1000000;
 constexpr int max_rows = 8;
 constexpr std::uint64_t max_weight = std::uint64_t(1) << 62;
 

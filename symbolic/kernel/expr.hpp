@@ -117,7 +117,8 @@ Expr integer(const std::string& name);
 Expr fun(const std::string& name, const Exprs& args);
 Expr sum(const Exprs& terms);
 Expr product(const Exprs& factors);
-Expr power(Expr base, int exponent);  ///< exponent from 1 to 1,000,000
+constexpr int max_exponent = 1000000;
+Expr power(Expr base, int exponent);  ///< exponent from 1 to max_exponent
 Expr eq(Expr l, Expr r);              ///< of numbers, or of matrices of one shape
 Expr lt(Expr l, Expr r);
 Expr le(Expr l, Expr r);

@@ -6,7 +6,6 @@
 
 namespace kernel {
 namespace {
-constexpr int max_exponent = 1000000;
 constexpr unsigned max_bits = 1000000;
 void add(Polynomial& p, Monomial m, const cln::cl_RA& q) {
   const auto it = p.try_emplace(std::move(m), 0).first;

@@ -13,15 +13,26 @@ trap 'rm -rf "$work"' EXIT
 printf '%s\n' '#include <string>' 'namespace kernel {' 'inline void ignore(const std::string&) {}' \
   '}' >"$work/ignore.hpp"
 
-# Compiles FILE as changed in FOLDER, links it before the room's library, runs the tests: 0 if they
-# stay green.
+# The room's files one by one: its library may have several in one.
+cd "$room"
+mkdir "$work/sound"
+# shellcheck disable=SC2016
+printf '%s\0' *.cpp */*.cpp | xargs -0 -P "$(nproc)" -I {} bash -c '[[ ! -e $1 ]] ||
+  "$compiler" -std=c++20 -O1 -w -ffp-contract=off -I"$source/symbolic" -c "$1" \
+    -o "$work/sound/${1##*/}.o"' _ {}
+cd "$work"
+
+# Compiles FILE as changed in FOLDER, links it with the room's others before the libraries, runs the
+# tests: 0 if they stay green.
 survives() {
   local folder=$1 file=$2
   "$compiler" -std=c++20 "$optimization" -w -ffp-contract=off -I"$source/symbolic" \
     -include "$work/ignore.hpp" -c "$folder/$file" -o "$folder/mutant.o" 2>"$folder/errors" ||
     { echo "DOES NOT COMPILE"; return 1; }
+  local others
+  others=$(find "$work/sound" ! -name "$file.o" -type f)
   # shellcheck disable=SC2086
-  "$compiler" "$folder/mutant.o" $objects -lginac -lcln -o "$folder/tests" 2>"$folder/errors" ||
+  "$compiler" "$folder/mutant.o" $others $objects -lginac -lcln -o "$folder/tests" 2>"$folder/errors" ||
     { echo "DOES NOT LINK"; return 1; }
   # [source]: reads only files, which are as they were
   timeout "$seconds" "$folder/tests" --abort '~[source]' >/dev/null 2>&1
