@@ -32,7 +32,8 @@ survives() {
   local others
   others=$(find "$work/sound" ! -name "$file.o" -type f)
   # shellcheck disable=SC2086
-  "$compiler" "$folder/mutant.o" $others $objects -lginac -lcln -o "$folder/tests" 2>"$folder/errors" ||
+  "$compiler" "$folder/mutant.o" $others $objects -lginac -lcln -o "$folder/tests" \
+    2>"$folder/errors" ||
     { echo "DOES NOT LINK"; return 1; }
   # [source]: reads only files, which are as they were
   timeout "$seconds" "$folder/tests" --abort '~[source]' >/dev/null 2>&1
