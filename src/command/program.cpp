@@ -32,7 +32,7 @@ ExitCode guarded(const std::string& name, const std::string& place,
 /// Of rows of the input, written a block at a time.
 void write_answers(const Asked& asked, CsvReader& reader, answers::Rows rows, Destination& output,
                    const Tell& tell, std::string& place) {
-  constexpr std::size_t rows_at_once = 4096;
+  constexpr std::size_t rows_at_once = 1024;
   constexpr std::size_t most_bytes = std::size_t{1} << 20U;
   const Command& command = *asked.command;
   const answers::Format format = answers::format_of(asked.request.format);
@@ -42,7 +42,8 @@ void write_answers(const Asked& asked, CsvReader& reader, answers::Rows rows, De
   std::vector<answers::Row> alone;  // to follow the text
   std::size_t bytes = 0;            // of these
   const auto write = [&] {
-    output.write(text + writer.rows(alone));
+    output.write(text);
+    output.write(writer.rows(alone));
     text.clear();
     alone.clear();
     bytes = 0;

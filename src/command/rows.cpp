@@ -38,21 +38,21 @@ CsvReader::CsvReader(const std::string& path, const std::vector<std::string>& wa
   const std::string allowed = joined(wanted);
   next_line();
   if (line_.starts_with("\xEF\xBB\xBF")) line_.remove_prefix(3);
-  split_line();
+  std::vector<std::string> names;
+  split_line(names);
   std::vector<std::string> absent = wanted;
-  std::erase_if(absent, [&](const auto& name) { return std::ranges::count(fields_, name) != 0; });
-  for (std::size_t i = 0; i < size_; ++i) {
-    const std::string& name = fields_[i];
+  std::erase_if(absent, [&](const auto& name) { return std::ranges::count(names, name) != 0; });
+  for (const std::string& name : names) {
     std::string small = name;
     for (char& c : small) c = char(std::tolower(static_cast<unsigned char>(c)));
-    const std::string nearly = size_ > 1 ? magicmass::scenes::meant(small, absent) : "";
+    const std::string nearly = names.size() > 1 ? magicmass::scenes::meant(small, absent) : "";
     const bool is_wanted = std::count(wanted.begin(), wanted.end(), name) != 0;
     if (!is_wanted && (refused.contains(small) || !nearly.empty()))
       refuse(shown_text(name) + (refused.contains(small) ? refused.at(small) : nearly) +
              "; options that may be columns: " + allowed);
-    if (is_wanted && std::count(names_.begin(), names_.end(), name) != 0)
+    if (std::count(columns_.begin(), columns_.end(), name) != 0)
       refuse(name + ": a column of that name was there before");
-    names_.push_back(is_wanted ? name : "");
+    places_.push_back(is_wanted ? columns_.size() : names.size());
     if (is_wanted) columns_.push_back(name);
   }
   if (columns_.empty())
@@ -78,6 +78,7 @@ bool CsvReader::next_line() {
     buffer_.resize(had + longest_line);
     const ssize_t size = ::read(file_, buffer_.data() + had, longest_line);
     buffer_.resize(had + static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+    has_zero_ = has_zero_ || buffer_.find('\0', had) != std::string::npos;
     if (size < 0 && errno == EINTR) continue;
     if (size < 0 && errno == EAGAIN) {  // a pipe that its other users made non-blocking
       pollfd empty{file_, POLLIN, 0};
@@ -91,23 +92,25 @@ bool CsvReader::next_line() {
   line_ = std::string_view(buffer_).substr(at_, end - at_);
   const bool is_there = end != std::string::npos || !line_.empty();
   at_ += line_.size() + (end == std::string::npos ? 0 : 1);
-  const std::string_view seen = line_.substr(0, longest_line + 1);
-  if (seen.find('\0') != seen.npos) refuse("a zero byte; allowed: text");
+  if (has_zero_ && line_.substr(0, longest_line + 1).find('\0') != line_.npos)
+    refuse("a zero byte; allowed: text");
   if (line_.size() > longest_line)
     refuse("a line of more than " + std::to_string(longest_line) + " bytes");
   if (line_.ends_with('\r')) line_.remove_suffix(1);
   return is_there;
 }
 
-void CsvReader::split_line() {
+std::size_t CsvReader::split_line(std::vector<std::string>& row) {
   const auto after_blanks = [this](std::size_t at) {
     while (at < line_.size() && is_blank(line_[at])) ++at;
     return at;
   };
-  size_ = 0;
+  std::size_t size = 0;
   for (std::size_t at = 0;; ++at) {
-    if (fields_.size() == size_) fields_.emplace_back();
-    std::string& field = fields_[size_++];
+    const std::size_t place = size++ < places_.size() ? places_[size - 1] : row.size();
+    std::string& field = columns_.empty()     ? row.emplace_back()
+                         : place < row.size() ? row[place]
+                                              : skipped_;
     const std::size_t first = after_blanks(at);
     if (first == line_.size() || line_[first] != '"') {
       const std::size_t end = std::min(line_.find(',', at), line_.size());
@@ -125,7 +128,7 @@ void CsvReader::split_line() {
       if (at < line_.size() && line_[at] != ',')
         refuse("something follows a quoted field; allowed: a comma or the line's end");
     }
-    if (at >= line_.size()) return;
+    if (at >= line_.size()) return size;
   }
 }
 
@@ -137,16 +140,12 @@ bool CsvReader::next(std::vector<std::string>& row) {
   number_ = is_there ? first : first - 1;
   if (!is_there) return false;
   if (is_empty) refuse("an empty line; allowed: at the end");
-  split_line();
-  if (size_ != names_.size())
-    refuse("fields: got " + std::to_string(size_) +
-           "; allowed: as many as the header names: " + std::to_string(names_.size()));
   row.resize(columns_.size());
-  for (std::size_t i = 0, column = 0; i < size_; ++i) {
-    if (names_[i].empty()) continue;
-    if (fields_[i].empty()) refuse(names_[i] + ": empty; allowed: a value in every field");
-    row[column++].swap(fields_[i]);
-  }
+  if (const std::size_t size = split_line(row); size != places_.size())
+    refuse("fields: got " + std::to_string(size) +
+           "; allowed: as many as the header names: " + std::to_string(places_.size()));
+  for (std::size_t i = 0; i < row.size(); ++i)
+    if (row[i].empty()) refuse(columns_[i] + ": empty; allowed: a value in every field");
   return true;
 }
 

@@ -35,15 +35,16 @@ private:
   std::int64_t number_ = 0;  // of the line
   std::string buffer_;       // what was read
   std::size_t at_ = 0;       // where it goes on
+  bool has_zero_ = false;    // somewhere
   std::string_view line_;
-  std::vector<std::string> fields_;  // of the line
-  std::size_t size_ = 0;             // how many; memory of others is kept
-  std::vector<std::string> names_;   // of all columns, "" for one that is not wanted
   std::vector<std::string> columns_;
+  std::vector<std::size_t> places_;  // in a row; behind it where a column is not wanted
+  std::string skipped_;              // a field that is not
 
   bool next_line();  // into line_
   bool next(std::vector<std::string>& row);
-  void split_line();  // into fields_
+  /// How many fields there are; before there are columns, into a longer row.
+  std::size_t split_line(std::vector<std::string>& row);
   [[noreturn]] void cannot_read() const;
   [[noreturn]] void refuse(const std::string& what) const;
 };

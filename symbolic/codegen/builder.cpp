@@ -8,7 +8,6 @@
 namespace codegen {
 namespace {
 constexpr double largest_whole = 0x1p51;  // `nearest` of the runtime
-/// The ranges of functions.
 const std::map<Op, Interval (*)(Interval)> ranges_of_functions{
     {Op::size, magnitude}, {Op::root, root},     {Op::reciprocal_root, reciprocal_root},
     {Op::sine, sine},      {Op::cosine, cosine}, {Op::arc_tangent, arc_tangent}};

@@ -55,10 +55,11 @@ double number(std::string_view text) {
 std::optional<double> read_double(std::string_view text) {
   const bool is_negative = text.starts_with('-');
   text.remove_prefix(is_negative ? 1 : 0);
-  const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
+  const bool is_hex = text.size() > 2 && text[0] == '0' && (text[1] | ' ') == 'x';
   text.remove_prefix(is_hex ? 2 : 0);
   // std::from_chars knows another sign, and words for what is not finite.
-  if (text.find_first_of("0123456789.abcdefABCDEF") != 0 || text.size() > longest_alpha) return {};
+  constexpr std::string_view others = "-iInN";
+  if (text.size() > longest_alpha || others.find(text.substr(0, 1)) != text.npos) return {};
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
