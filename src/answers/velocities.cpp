@@ -1,4 +1,3 @@
-
 #include "answers/commands.hpp"
 #include "answers/motion.hpp"
 #include "magicmass/exact/exact.hpp"
@@ -83,9 +82,10 @@ std::vector<Number> option_of(const Rows& rows, const std::string& option,
                               std::optional<Number> (*read)(std::string_view), Number none) {
   const auto column = std::find(rows.columns.begin(), rows.columns.end(), option);
   const auto at = static_cast<std::size_t>(column - rows.columns.begin());
+  const std::string shared = rows.shared.text(option);
   std::vector<Number> all;
   for (const std::vector<std::string>& fields : rows.fields)
-    all.push_back(read(at < fields.size() ? fields[at] : rows.shared.text(option)).value_or(none));
+    all.push_back(read(at < fields.size() ? fields[at] : shared).value_or(none));
   return all;
 }
 Reals alphas_of(const Rows& rows) {

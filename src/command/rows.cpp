@@ -105,8 +105,7 @@ std::size_t CsvReader::split_line(std::vector<std::string>& row) {
     while (at < line_.size() && is_blank(line_[at])) ++at;
     return at;
   };
-  std::size_t size = 0;
-  for (std::size_t at = 0;; ++at) {
+  for (std::size_t at = 0, size = 0;; ++at) {
     const std::size_t place = size++ < places_.size() ? places_[size - 1] : row.size();
     std::string& field = columns_.empty()     ? row.emplace_back()
                          : place < row.size() ? row[place]
