@@ -1,13 +1,5 @@
-// A chapter of the course: a text around a program, and the page that is made of both.
-// In the text, outside of code:
-//   {{name}}                  what the program printed under that name
-//   {{theorem:id}}            a theorem, {{left:id}} and {{right:id}} its sides; displayed where
-//                             they stand on a line of their own, and so is what is printed
-//   $a_n$                     a term as the derivation prints it; it claims nothing
-//   {{figure:name}} caption   a figure of `magicmass figure`
-//   {{run:magicmass ...}}     a command of the chapter's session with what it prints
-//   {{program}}, {{exercises}}, {{chapter:05_counting}}
-// A number that is typed in the text is refused: it would not change with the program.
+// A chapter of the course: a text around a program, and the page that is made of both. What may
+// stand in the text: TEACHERS.md, "Writing a chapter".
 #pragma once
 
 #include <filesystem>

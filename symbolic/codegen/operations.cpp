@@ -1,7 +1,6 @@
 // The table's entries, each with its source. x, y: how large the operands' low parts are against
 // their high parts. u: half an ulp of 1. Nothing over- or underflows: ranges see to that.
-// [JMP]   Joldes, Muller, Popescu, ACM TOMS 44 (2017), 15res; as corrected by Muller, Rideau, ACM
-//         TOMS 48 (2022).
+// [JMP]   Joldes, Muller, Popescu, ACM TOMS 44 (2017); corrected: Muller, Rideau, TOMS 48 (2022).
 // [LLMPR] Lefevre, Louvet, Muller, Picot, Rideau, ACM TOMS 49 (2023).
 // [H]     Higham, Accuracy and Stability of Numerical Algorithms, 2nd ed., 2.2, 3.1 and 5.1.
 // [D]     Dekker, Numerische Mathematik 18 (1971), 224: Fast2Sum is exact where |x| >= |y|.
@@ -61,8 +60,7 @@ Loss NumberType::quotient(double x, double y) const {
 
 /// After [LLMPR]'s square root (25/8 u^2): r = sqrt(y.high) (1/y.high) is within 3 u, so e = 1 - y
 /// r^2 is at most 6 u + y, and Newton's step leaves 3/8 e^2. e loses 7 u u in less_product, u (2 y
-/// + 2 u) in the part of the low parts, u e in their difference, half of which counts; then the
-/// product by r/2 u e/2.
+/// + 2 u) by the low parts, u e in their difference, half of which counts; times r/2: u e/2.
 Loss NumberType::reciprocal_root(double y) const {
   if (!is_pair()) return {u, 0};
   const double e = 6 * u + y;

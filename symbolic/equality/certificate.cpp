@@ -278,30 +278,50 @@ Theorem power_of_cosine(int d) {
   return algebra::solved_for(kernel::power(c, n),
                              algebra::certified(kernel::eq(u - before, 0), proof));
 }
-// Sines of parts of pi by those of one part; false where they are too much.
-bool add_sines(Expr e, Roots& roots) {
+// A sine of q pi by those of pi/2 and of the angle nearest to 0 that is quarters of a turn away, or
+// halves where that keeps an odd denominator.
+Theorem nearest_to_0(Expr sine) {
+  const cln::cl_RA q = *multiple_of_pi(sine.arg(0)), half = cln::cl_RA(1) / 2;
+  const cln::cl_I parts = cln::mod(cln::denominator(q), 4), odd = parts == 2 ? 1 : 0;
+  const cln::cl_RA k = parts == 0 ? cln::round1(2 * q) : 2 * cln::round1(q - odd * half) + odd;
+  const cln::cl_RA rest = q - k * half;
+  if (cln::abs(k) > most_of_pi || rest == q) kernel::refuse("turns no angle so far");
+  const Expr x = kernel::real("x"), quarter = kernel::pi() / 2, step = rest < 0 ? -x : x;
+  const Expr turned = kernel::replace(sine, sine.arg(0), Expr(k) * quarter + step);
+  const Theorem is = algebra::at(algebra::angles({turned}, {quarter, x}, false).at(0),
+                                 {{x, Expr(cln::abs(rest)) * kernel::pi()}});
+  return kernel::restate(kernel::eq(sine, algebra::right(is)), is);
+}
+Exprs sines_in(Expr e) {
   Exprs sines = parts_of(e);
   std::erase_if(sines, [](Expr part) { return !is_sine(part) || !is_algebraic_term(part); });
+  return sines;
+}
+// Sines of parts of pi by those of one part, where they are not too much.
+void add_sines(Expr e, Roots& roots) {
+  Theorems turns{kernel::axiom("cos pi/2"), kernel::axiom("sin pi/2")};
+  for (Expr sine : sines_in(e))
+    is_proved([&] { return turns.push_back(nearest_to_0(sine)), true; });
+  e = by_facts(e, turns);
+  const Exprs sines = sines_in(e);
   cln::cl_I d = 1;
   for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
-  if (sines.empty()) return true;
-  if (d > most_of_pi) return false;
-  const int parts = cln::cl_I_to_int(d);
+  const int parts = d > most_of_pi ? 0 : cln::cl_I_to_int(d);
   const bool is_whole = std::ranges::count(whole_parts, parts) != 0;
   const int most = is_whole ? most_of_whole : parts % 15 == 0 ? most_work_of_15 : most_work;
-  if (work(e, d) > most || (is_whole && std::ranges::any_of(parts_of(e), is_root))) return false;
-  if (is_whole) {
-    roots.facts.push_back(power_of_cosine(parts));
-  } else {
-    const auto part = algebra::part_of_pi(parts);
-    if (!part) return false;
-    const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
-    roots.facts = roots.facts + Theorems{part->cosine, part->sine} + part->signs;
-    roots.see(both);
-    roots.add(both);
+  const auto part = is_whole ? std::nullopt : algebra::part_of_pi(parts);
+  const bool is_free = is_whole && std::ranges::none_of(parts_of(e), is_root);
+  if (work(e, d) <= most && (is_free || part)) {
+    if (is_free) roots.facts.push_back(power_of_cosine(parts));
+    if (part) {
+      const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
+      roots.facts = roots.facts + Theorems{part->cosine, part->sine} + part->signs;
+      roots.see(both);
+      roots.add(both);
+    }
+    roots.facts = roots.facts + algebra::angles(sines, {kernel::pi() / parts});
   }
-  roots.facts = roots.facts + algebra::angles(sines, {kernel::pi() / parts});
-  return true;
+  roots.facts = roots.facts + turns;
 }
 }  // namespace
 
@@ -344,7 +364,7 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
         if (const auto sign = by_squares(side, facts)) facts.push_back(*sign);
     }
     is_proved([&] { return roots.see(both), true; });
-    if (!add_sines(both, roots)) return false;
+    add_sines(both, roots);
     roots.add(both);
     for (const Requirement& r : needs) {
       if (!is_constant(r.term)) continue;

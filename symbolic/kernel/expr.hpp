@@ -1,5 +1,4 @@
 // Terms, matrices and formulas: one immutable, interned tree. Equal trees are the same Expr.
-//
 // Nothing is simplified here: what is written is what is kept (only (a + b) + c and (a * b) * c are
 // written flat). Every function is TOTAL, as in Coq and HOL Light: inv(0) and sqrt(-1) are some
 // real numbers of which nothing is known, so no rule asks for definedness. needs() of

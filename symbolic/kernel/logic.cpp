@@ -7,8 +7,7 @@ namespace kernel {
 // ASSUME. Where f is true, f is true.
 Theorem assume(Expr f) { return Theorem({f}, f, {"assume", {}, {f}}); }
 
-// DISCHARGE. Where H - {f} is true, either f is false, and the implication is true, or all of H is
-// true, and so is c.
+// DISCHARGE. Where H - {f} is true, f is false, and the implication true, or all of H is, and c is.
 Theorem discharge(Expr f, const Theorem& t) {
   Exprs rest;
   for (Expr h : t.hypotheses())

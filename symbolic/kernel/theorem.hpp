@@ -1,5 +1,4 @@
 // A theorem is hypotheses |- conclusion, and only the rules below make one.
-//
 // H |- c says: for all values of the free variables (real or integer, by their sort) for which
 // every formula of H is true, c is true. There are no global laws: physics is in H. Taken without
 // proof are the definitions and the axioms of real analysis (kernel/axioms.cpp), nothing else.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Behind the last rounding test: the generated evaluators on MPFR's numbers, with more and more
-// bits until every rounding and sign is certain.
-// Why the loop ends, for each output. A value that is no double and no tie is settled by enough
-// bits, so it is to be shown that none is a dyadic number p/2^q, or that it is computed exactly.
+// bits until every rounding and sign is certain. Why that ends: what is no double and no tie is
+// settled by enough bits; of each output none is a dyadic number p/2^q, or it is computed exactly:
 //  Velocities, n >= 1. With u = 1/(1 + alpha) a collision multiplies by 2u - 1, 2u, 2 - 2u and
 //   1 - 2u. Its part with u maps A's and C's velocities to 2(a - c)(1, 1), so that after j
 //   collisions the velocities of the two that collided are polynomials in u with whole

@@ -11,16 +11,13 @@ std::optional<bool> closes(const Interval& speed) {
 }
 
 /// The search at one precision; nothing if some sign stayed open.
-///
-/// Each collision is a reflection of (a, b, sqrt(alpha) c), so a cycle is a rotation by a fixed
-/// angle 2 h, h the acute angle between the two mirrors, about the direction of common motion, that
-/// closing speeds do not see. The closing speeds before collisions 0, 1, 2, ... are the heights of
-/// one vector above mirrors that turn by h each time and begin at height sin h: they run as sin h,
-/// sin 2h, sin 3h, ..., positive up to the last collision, not positive for as many after it. So
-/// A's closing speed after n cycles runs as sin((2n+1) h), n = 2^i up to the first failure stays
-/// below the second zero, 2 pi, and the largest n with a positive one has its bits found from the
-/// top. Powers of one map commute: bits can be applied in any order. Where a speed is exactly zero
-/// its sign stays open unless all intervals are points: alpha = 1 is the one rational threshold.
+/// A collision is a reflection of (a, b, sqrt(alpha) c), so a cycle is a rotation by a fixed angle
+/// 2 h about the direction of common motion, which closing speeds do not see. Before collisions 0,
+/// 1, 2, ... these run as sin h, sin 2h, sin 3h, ..., positive up to the last collision, not so for
+/// as many after it; A's after n cycles run as sin((2n+1) h). So n = 2^i up to the first failure
+/// stays below the second zero, 2 pi, and the largest n with a positive one has its bits found from
+/// the top; powers of one map commute, so in any order. Where a speed is exactly zero its sign
+/// stays open unless all intervals are points: alpha = 1 is the one rational threshold.
 std::optional<Counts> search(const Interval& alpha) {
   const Cycle<Interval> cycle = cycle_of(alpha);
   const auto A_closes = [](const Velocity<Interval>& v) { return closes(v(0) - v(2)); };

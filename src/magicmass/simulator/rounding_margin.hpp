@@ -31,13 +31,12 @@ struct Errors {
 /// reflection (with e < 1 a contraction) of all velocities and of the positions, so that errors
 /// only add up, and those of positions grow by those of velocities times the time. With
 /// s = sqrt(m1) |u1| + sqrt(m2) |u2| of the two that meet:
-/// - velocities: the centre's, U, is within 2.5 eps s/sqrt(m1 + m2), each result within
-///   2 |dU| + eps |u'|, so both together within 6 eps s; masses and restitution that are rounded
-///   cost 2 eps s more. 10 is taken.
-/// - positions up to X at time t: the heavier body's is within 2.5 eps X; the clock is within
-///   9 eps X/c + eps t/2 for a closing speed c, so the lighter one, put at the same place, is moved
-///   by up to 12 eps X + eps t c/2, and sqrt(m) c <= s of the lighter.
-///   13 eps X (sqrt(m1) + sqrt(m2)) + eps t s is taken.
+/// - velocities: the centre's, U, is within 2.5 eps s/sqrt(m1 + m2), each result within 2 |dU| +
+///   eps |u'|, so both together within 6 eps s; what is rounded of masses and restitution costs 2
+///   eps s more. 10 is taken.
+/// - positions up to X at time t: the heavier body's is within 2.5 eps X; the clock is within 9 eps
+///   X/c + eps t/2 for a closing speed c, so the lighter one, put at the same place, is moved by up
+///   to 12 eps X + eps t c/2, its sqrt(m) c <= s. 13 eps X (sqrt(m1) + sqrt(m2)) + eps t s: taken.
 /// A difference between two bodies is within sqrt(1/m1 + 1/m2) of such a length.
 template <Field Scalar>
 class RoundingMargin {

@@ -1,10 +1,8 @@
 // Gappa proves the table's entries from each operation's sequence of roundings, what is lost and
 // how large a low part is left, and refuses half of each. High parts are scaled to 1, low parts are
-// x and y of them; d1, d2, ... are the roundings of the operations in their order, at most u. That
-// two_sum and two_product are exact, and that 1/sqrt(1 - e) - 1 - e/2 is at most 3/8 e^2 and a
-// little, is said, not proved; likewise how large a low part a sum of any signs leaves, and what
-// then counts. Polynomials are proved step by step, functions and powers from these operations;
-// that a polynomial changes by its slope at most, and the digits of pi, are said.
+// x and y of them; d1, d2, ... are the roundings of the operations in their order, at most u. Said,
+// not proved: two_sum and two_product are exact; 1/sqrt(1 - e) - 1 - e/2 is at most 3/8 e^2 and a
+// little; how large a low part a sum of any signs leaves; a polynomial's slope; the digits of pi.
 #include <cmath>
 #include <cstdio>
 #include <fstream>
