@@ -204,7 +204,7 @@ std::string Writer::rows(std::span<const Row> block) {
 }
 
 void Writer::append(std::string& text, const Block& block, std::size_t row) {
-  text += std::exchange(opening_, "");
+  if (!opening_.empty()) text += std::exchange(opening_, "");
   append_row(text, [&](std::size_t i) {
     if (const auto* cell = std::get_if<Cell>(&block.columns[i]))
       text += format_ == Format::csv || format_ == Format::text ? cell->text : cell->json;

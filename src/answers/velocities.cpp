@@ -80,8 +80,7 @@ using Wholes = std::vector<std::int64_t>;
 template <class Number>
 std::vector<Number> option_of(const Rows& rows, const std::string& option,
                               std::optional<Number> (*read)(std::string_view), Number none) {
-  const auto column = std::find(rows.columns.begin(), rows.columns.end(), option);
-  const auto at = static_cast<std::size_t>(column - rows.columns.begin());
+  const auto at = std::size_t(std::ranges::find(rows.columns, option) - rows.columns.begin());
   const std::string shared = rows.shared.text(option);
   std::vector<Number> all;
   for (const std::vector<std::string>& fields : rows.fields)

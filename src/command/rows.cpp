@@ -71,7 +71,7 @@ std::string CsvReader::position(std::size_t before) const {
 
 bool CsvReader::next_line() {
   ++number_;
-  std::size_t end = buffer_.find('\n', at_);
+  std::size_t end = end_;
   while (end == std::string::npos && buffer_.size() - at_ <= longest_line + 1) {
     buffer_.erase(0, std::exchange(at_, 0));
     const std::size_t had = buffer_.size();
@@ -92,6 +92,7 @@ bool CsvReader::next_line() {
   line_ = std::string_view(buffer_).substr(at_, end - at_);
   const bool is_there = end != std::string::npos || !line_.empty();
   at_ += line_.size() + (end == std::string::npos ? 0 : 1);
+  end_ = buffer_.find('\n', at_);
   if (has_zero_ && line_.substr(0, longest_line + 1).find('\0') != line_.npos)
     refuse("a zero byte; allowed: text");
   if (line_.size() > longest_line)
@@ -135,7 +136,7 @@ bool CsvReader::next(std::vector<std::string>& row) {
   bool is_there = next_line();
   const std::int64_t first = number_;
   const bool is_empty = trimmed(line_).empty();
-  while (is_there && trimmed(line_).empty()) is_there = next_line();
+  while (is_there && is_empty && trimmed(line_).empty()) is_there = next_line();
   number_ = is_there ? first : first - 1;
   if (!is_there) return false;
   if (is_empty) refuse("an empty line; allowed: at the end");
@@ -149,7 +150,7 @@ bool CsvReader::next(std::vector<std::string>& row) {
 }
 
 bool CsvReader::waits() const {
-  if (buffer_.find('\n', at_) != std::string::npos) return false;
+  if (end_ != std::string::npos) return false;
   pollfd input{file_, POLLIN, 0};
   return ::poll(&input, 1, 0) == 0;
 }

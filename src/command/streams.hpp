@@ -31,11 +31,11 @@ public:
 
 private:
   std::string source_;
-  int file_;                 // open till the program ends
-  std::int64_t number_ = 0;  // of the line
-  std::string buffer_;       // what was read
-  std::size_t at_ = 0;       // where it goes on
-  bool has_zero_ = false;    // somewhere
+  int file_;                                      // open till the program ends
+  std::int64_t number_ = 0;                       // of the line
+  std::string buffer_;                            // what was read
+  std::size_t at_ = 0, end_ = std::string::npos;  // of the next line, if all of it is there
+  bool has_zero_ = false;                         // somewhere
   std::string_view line_;
   std::vector<std::string> columns_;
   std::vector<std::size_t> places_;  // in a row; behind it where a column is not wanted
