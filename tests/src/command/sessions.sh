@@ -84,7 +84,7 @@ while IFS='|' read -r _ largest seconds _ beyond status says _; do
   is_quick=0
   [[ ${seconds%.*} -ge 2 && -z ${MAGICMASS_LONG-} ]] || is_quick=1
   ((status == 3 && !is_quick)) || expect "$beyond" $status "$says"
-  ((!is_quick)) || expect "$largest" 0 ""
+  ((!is_quick || ${seconds%.*} >= 20)) || expect "$largest" 0 "" # machines differ by a third
   ((rows += 1))
 done <"$folder/../../../src/command/BOUNDS.md"
 ((rows > 20)) || [[ ${ASAN_OPTIONS-} ]] || failed=1
