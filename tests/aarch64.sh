@@ -17,7 +17,7 @@ done
 compile -static "$scratch"/*.o -o "$scratch/test"
 qemu-aarch64 "$scratch/test"
 cat >"$scratch/main.cpp" <<'END'
-#include "src/magicmass/numbers/fingerprint.hpp"
+#include "src/magicmass/numbers/tiers.hpp"
 using namespace magicmass::testing;
 int main() { return fingerprint() == pinned_fingerprint ? 0 : 1; }
 END

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "answers/commands.hpp"
-#include "answers/meanings.hpp"
+#include "answers/derivation.hpp"
 #include "equality/decide.hpp"
 
 namespace answers {

@@ -1,7 +1,6 @@
-#include "answers/meanings.hpp"
-
 #include <algorithm>
 
+#include "answers/derivation.hpp"
 #include "derivation/book.hpp"
 #include "notation/typed.hpp"
 

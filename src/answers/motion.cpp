@@ -1,6 +1,6 @@
 #include "answers/motion.hpp"
 
-#include "answers/meanings.hpp"
+#include "answers/derivation.hpp"
 #include "equality/decide.hpp"
 #include "magicmass/numbers/counts.hpp"
 

@@ -1,6 +1,6 @@
 
 #include "answers/commands.hpp"
-#include "answers/meanings.hpp"
+#include "answers/derivation.hpp"
 #include "answers/motion.hpp"
 #include "derivation/book.hpp"
 

@@ -119,8 +119,8 @@ Answer eval(const Request& request) {
   }
   Answer all = answer(of_eval, {{alpha_cell(in.alpha), whole_cell(n), text_cell(in.tier)}, four});
   if (n > 0 && n > counts.N_B)
-    all.note =
-        "eval: Q_" + std::to_string(n) + ", after which are b and c_prime, does not take place";
+    all.note = "eval: Q_" + std::to_string(n) +
+               " does not take place: b and c_prime are values of the formulas alone";
   return all;
 }
 

@@ -169,13 +169,15 @@ void remember(const Exercise& e, Judgement& said) {
   const Attempts before = attempts()[e.id];  // nothing where there is no memory
   keep({e.id, verdict, said.misconception.empty() ? "" : answers::shown_text(said.misconception)});
   if (said.mark == Mark::unread && before.unread >= misses_without_hint)
-    said.feedback += " " + how_to_write(e, said.feedback);
+    said.feedback += (said.feedback.find_last_of(".?!") + 1 == said.feedback.size() ? " " : ". ") +
+                     how_to_write(e, said.feedback);
   if (!is_miss(verdict) || before.misses < misses_without_hint) return;
   std::size_t next = 1;
   while (before.shown.contains("hint " + std::to_string(next))) ++next;
   const bool is_left = next <= e.hints.size();
-  said.feedback += is_left ? " Hint " + std::to_string(next) + ": " + e.hints[next - 1]
-                           : " There are no more hints: magicmass learn solution " + e.id;
+  said.feedback += is_left
+                       ? " Hint " + std::to_string(next) + ": " + e.hints[next - 1]
+                       : " There are no more hints: magicmass learn solution " + e.id + e.options;
   if (is_left) remember_hint(e, next);
 }
 

@@ -12,7 +12,12 @@ namespace {
 
 std::vector<Exercise> asked_for(const Request& request) {
   const std::int64_t seed = request.whole("seed", 0, 1'000'000'000).value_or(0);
-  return exercises(request.text("folder"), static_cast<std::size_t>(seed));
+  std::vector<Exercise> all = exercises(request.text("folder"), static_cast<std::size_t>(seed));
+  for (Exercise& e : all) {
+    if (!e.variants.empty() && request.has("seed")) e.options += " --seed " + request.text("seed");
+    if (request.has("folder")) e.options += " --folder " + request.text("folder");
+  }
+  return all;
 }
 
 Exercise exercise(const Request& request) {
@@ -45,8 +50,8 @@ Answer show(const Request& request) {
   const bool is_code = e.kind == "code";
   if (is_code)
     text += "\nBegin with this in a file, answer.cpp, for c++ -std=c++20:\n\n" + e.starter + "\n";
-  text += "\nTry: magicmass learn check " + e.id + (is_code ? " --file answer.cpp" : " \"...\"");
-  if (!e.variants.empty() && request.has("seed")) text += " --seed " + request.text("seed");
+  text += "\nTry: magicmass learn check " + e.id + (is_code ? " --file answer.cpp" : " \"...\"") +
+          e.options;
   return document(request, e, text);
 }
 

@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "command/frame.hpp"
+#include "command/command.hpp"
 #include "host/child.hpp"
 
 constexpr std::int64_t end_seconds = 5;

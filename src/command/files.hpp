@@ -2,7 +2,7 @@
 #pragma once
 
 #include "answers/request.hpp"
-#include "generate/tree.hpp"
+#include "generate/quantities.hpp"
 
 namespace command {
 

@@ -5,7 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "command/frame.hpp"
+#include "command/command.hpp"
 #include "magicmass/scenes/scene.hpp"
 
 namespace command {
@@ -63,7 +63,7 @@ Request request_of(const Command& command, const std::vector<Option>& options,
                    const std::vector<std::string>& words, const std::string& help) {
   Request request;
   const auto refuse = [&](const std::string& word) {
-    throw InvalidInput(command.name + ": has no option or word " + shown_text(word) + "; see " +
+    throw InvalidInput(command.name + ": no such option or word: " + shown_text(word) + "; see " +
                        help);
   };
   const auto end = std::ranges::find(words, "--");

@@ -4,7 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include "command/frame.hpp"
+#include "command/command.hpp"
 #include "command/streams.hpp"
 
 namespace command {

@@ -9,7 +9,7 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include "answers/errors.hpp"
+#include "answers/table.hpp"
 #include "command/streams.hpp"
 #include "magicmass/scenes/scene.hpp"
 

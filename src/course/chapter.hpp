@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "answers/errors.hpp"
+#include "answers/table.hpp"
 #include "learn/exercise.hpp"
 #include "render/pages.hpp"
 

@@ -18,7 +18,8 @@ struct Misconception {
 struct Exercise {
   std::string source = {};  ///< the file, as messages name it
   std::string id = {}, title = {}, chapter = {};
-  std::string kind = {};  ///< symbolic, predict, derivation, code
+  std::string options = {};  ///< that commands for it need: " --seed 7"
+  std::string kind = {};     ///< symbolic, predict, derivation, code
   std::string prompt = {};
   std::string name = {};  ///< what is asked for: "v_1"; an answer may be an equation for it
   Texts symbols = {};     ///< that an answer may use

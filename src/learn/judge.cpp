@@ -39,7 +39,11 @@ bool has_counts(Expr e) { return kernel::text(e).find("ceil(") != std::string::n
 std::string with_numbers(const Exercise& e, const std::string& text) {
   if (e.run.empty() || !e.choices.empty() || e.kind == "code") return text;
   const Terms terms(e);
-  return notation::typed_text(terms.in_full(terms.content(text)));
+  const Expr number = terms.in_full(terms.content(text));
+  const auto q = notation::rational_value(number);
+  if (q && cln::integer_length(cln::denominator(*q)) > 40)  // a rounded one
+    return answers::real_cell(cln::double_approx(*q)).text;
+  return notation::typed_text(number);
 }
 
 Judgement judge_expression(const Exercise& e, const std::string& text, Texts& notes) {
@@ -82,9 +86,10 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
   const bool are_numbers = !kernel::is_matrix(given) && !kernel::is_matrix(expected);
   if (!is_prediction && are_numbers && terms.are_equal(given, -expected))
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
-  const Texts decimal = matched(text, R"(.*\.([0-9]{2,})[^.]*)");
+  const Texts decimal = matched(text, R"(.*\.([0-9]+)[^.]*)");
   if (are_numbers && e.symbols.empty() && e.within.empty() && !decimal.empty()) {
-    const Expr unit = cln::expt(cln::cl_RA(10), -int(decimal[1].size()));  // of the last digit
+    const int digits = int(decimal[1].size());
+    const Expr unit = cln::expt(cln::cl_RA(10), -digits) / (digits == 1 ? 2 : 1);
     if (equality::holds({notation::call("abs", given - expected), "<", unit}) == true)
       said.feedback = "Yours is near, but rounded: an exact value is asked for.";
   }
@@ -203,7 +208,8 @@ Texts rules(const Exercise& e) {
 }
 
 std::string how_to_write(const Exercise& e, const std::string& said) {
-  if (e.kind == "code" || !e.choices.empty()) return "See again: magicmass learn show " + e.id;
+  if (e.kind == "code" || !e.choices.empty())
+    return "See again: magicmass learn show " + e.id + e.options;
   const bool is_said = !matched(said, ".*(a number is asked for|an answer may use).*").empty();
   const std::string rule = is_said ? "" : rules(e)[0] + ". ";
   if (e.kind == "derivation") return rule + "A line looks like this: " + e.laws[0];
@@ -278,7 +284,7 @@ Texts faults(const Exercise& e, const Run& run) {
     }
     const bool is_number = e.kind == "predict" && e.choices.empty() && !e.run.empty();
     if (is_number && with_numbers(e, e.answer) == e.answer)
-      wrong.push_back("run: nothing of it is used by answer");
+      wrong.push_back("run: nothing of it is used by answer; rounded numbers need within");
     if (e.hints.empty()) wrong.push_back("hints are missing");
   } catch (const std::exception& error) {
     wrong.push_back(error.what());

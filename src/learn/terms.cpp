@@ -1,7 +1,7 @@
 #include "learn/terms.hpp"
 
 #include "answers/commands.hpp"
-#include "answers/meanings.hpp"
+#include "answers/derivation.hpp"
 #include "equality/normal_form.hpp"
 #include "magicmass/scenes/run.hpp"
 #include "notation/tokens.hpp"
@@ -11,22 +11,37 @@ namespace {
 
 constexpr int points_tried = 60;
 
-/// The numbers that answer a question, by their columns' names. Of a scene: N, all its collisions,
-/// and the velocity of each body at the end, by its name.
-kernel::Substitution numbers_of(const std::string& question) {
+/// The numbers that answer a question, by their columns' names, rounded ones where that is fine. Of
+/// a scene: N, all its collisions, and the velocity of each body at the end, by its name.
+kernel::Substitution numbers_of(const std::string& question, bool is_rounded_fine) {
   kernel::Substitution numbers;
   if (question.find('=') != question.npos) {
-    const magicmass::scenes::Scene scene = magicmass::scenes::parse_scene(question, "run");
-    const magicmass::scenes::Result end = magicmass::scenes::run(scene);
-    numbers.emplace(notation::symbol("N"), cln::cl_RA(cln::cl_I(end.events)));
-    for (std::size_t i = 0; i < end.terminal.size(); ++i)
-      if (const auto velocity = magicmass::scenes::double_of(end.terminal[i]))
-        numbers.emplace(notation::symbol(body_name(scene, i)), balls::exact(*velocity));
+    using namespace magicmass::scenes;
+    Scene scene = parse_scene(question, "run");
+    Result end = run(scene);
+    const bool is_cut = end.status == Status::limited;
+    if (is_cut && (end.is_undecided || !(scene.has("until") || scene.has("max_events"))))
+      throw InvalidInput("run: " + end.why + "; allowed: a scene that comes to its end");
+    if (end.status != Status::collapse)  // else there are infinitely many
+      numbers.emplace(notation::symbol("N"), cln::cl_RA(cln::cl_I(end.events)));
+    scene.is_exact = true;
+    constexpr int most_exactly = 1000;  // collisions
+    if (end.events <= most_exactly) equality::is_proved([&] { return end = run(scene), true; });
+    for (std::size_t i = 0; i < end.terminal.size(); ++i) {
+      const Expr body = notation::symbol(body_name(scene, i));
+      const auto* exact = std::get_if<Surd>(&end.terminal[i]);
+      const auto near = double_of(end.terminal[i]);
+      if (exact)
+        numbers.emplace(body, notation::read_typed(exact->text()).term);
+      else if (near && is_rounded_fine)
+        numbers.emplace(body, balls::exact(*near));
+    }
     return numbers;
   }
   for (auto [column, text] : answers::answer_to(question))
     if (text.find_first_of("0123456789") != text.npos &&
-        text.find_first_not_of("-+./e0123456789") == text.npos) {
+        text.find_first_not_of("-+./e0123456789") == text.npos &&
+        (is_rounded_fine || text.find('.') == text.npos)) {
       std::ranges::replace(text, 'e', 'E');  // 1e-12 has two readings
       numbers.emplace(notation::symbol(column), notation::read_typed(text).term);
     }
@@ -102,7 +117,8 @@ Terms::Terms(const Exercise& e) : exercise(e), symbols(e.symbols.begin(), e.symb
     if (symbols.empty()) known.insert(name);
     values.emplace(notation::symbol(name), content(text));
   }
-  if (!e.run.empty()) values.merge(numbers_of(e.run));
+  const bool is_exact = e.within.empty() && e.choices.empty() && e.kind != "code";
+  if (!e.run.empty()) values.merge(numbers_of(e.run, !is_exact));
 }
 
 notation::Typed Terms::typed(std::string text, Texts& notes) const {
@@ -111,7 +127,7 @@ notation::Typed Terms::typed(std::string text, Texts& notes) const {
     return replaced(text, pattern, [](const Texts&) { return ""; }) != text;
   };
   if (has("(^|[^\\w\\\\])(over|plus|minus|times|half|one|two|three)(?!\\w)"))
-    kernel::refuse("words are not read; write -1/2 for minus one half");
+    kernel::refuse("words are not read; write numbers in digits, as -1/2");
   if (has("[0-9) ]sec$")) kernel::refuse("sec has no place here: an answer is without units");
   for (const auto& [name, value] : exercise.values)
     if (value == "1")  // both readings of 147/64V have one value, and the reader knows this one

@@ -1,7 +1,7 @@
 // An exercise's expressions: read, given their values, compared.
 #pragma once
 
-#include "answers/errors.hpp"
+#include "answers/table.hpp"
 #include "equality/decide.hpp"
 #include "learn/exercise.hpp"
 

@@ -86,7 +86,7 @@ const std::vector<Family>& families() {
        [](Random& r) { return whole(r, 0, 15) == 0 ? largest : among(r, 1e3, largest); }, ends},
       {"any double", "every positive double alike", 10,
        [](Random& r) { return among(r, 0x1p-1074, largest); }, log_whole},
-      {"everyday", "alpha from 1e-6 to 10", 11, [](Random& r) { return among(r, 1e-6, 10); },
+      {"everyday", "alpha from 1e-4 to 1", 11, [](Random& r) { return among(r, 1e-4, 1); },
        anywhere},
   };
   return all;

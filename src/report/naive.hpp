@@ -1,5 +1,5 @@
 // The paper's formulas typed by hand, as anybody would who needs the numbers, V = 1: the baseline
-// of ratios, in the benchmark, too; known to be bad near thresholds. Nobody else may call this.
+// of ratios; known to be bad near thresholds. Nobody else may call this.
 #pragma once
 
 #include <cmath>
@@ -12,15 +12,14 @@ namespace report::naive {
 /// Ee & Lee eq. def:psi.
 inline double psi(double alpha) { return 2 * std::atan(std::sqrt(alpha * (2 + alpha))); }
 
-/// Ee & Lee eqs. eq:a-final to eq:c'-final, with V_CM = V/(2 + alpha).
+/// Ee & Lee eqs. eq:a-final to eq:c'-final, with V_CM = V/(2 + alpha); shares its trigonometry.
 inline magicmass::Velocities velocities(double alpha, std::int64_t n) {
-  const double V_CM = 1 / (2 + alpha);
-  const double turn = psi(alpha);
-  const auto k = double(n);
-  return {V_CM * (1 + std::cos(k * turn) / std::cos(turn / 2)),
-          V_CM * (1 - std::cos((k + 0.5) * turn) / std::cos(turn / 2)),
-          V_CM * (1 + std::sin((k - 0.25) * turn) / std::sin(turn / 4)),
-          V_CM * (1 - std::sin((k + 0.25) * turn) / std::sin(turn / 4))};
+  const double V_CM = 1 / (2 + alpha), turn = psi(alpha), k = double(n);
+  const double cosine = std::cos(turn / 2), sine = std::sin(turn / 4);
+  return {V_CM * (1 + std::cos(k * turn) / cosine),
+          V_CM * (1 - std::cos((k + 0.5) * turn) / cosine),
+          V_CM * (1 + std::sin((k - 0.25) * turn) / sine),
+          V_CM * (1 - std::sin((k + 0.25) * turn) / sine)};
 }
 
 /// A straight line across mirror images of one wedge meets the j-th of them.

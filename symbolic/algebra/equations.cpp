@@ -67,7 +67,8 @@ struct Given {
   Theorems rules, divisors;
 };
 std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const Given& given,
-                                      Polynomial& left_over) {
+                                      Polynomial& left_over,
+                                      const std::function<Theorem(Expr)>& rest = {}) {
   const auto& [rules, nonzero] = given;
   Search search{polynomial(gap(goal)), factors, std::vector<Polynomial>(rules.size())};
   for (const Theorem& t : factors) search.remainder = search.remainder * polynomial(gap(t));
@@ -86,8 +87,9 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
     changed = search.clear_once(divisors) || changed;
   }
   left_over = search.remainder;
-  if (!search.remainder.empty()) return {};
   Certificate certificate{.multipliers = search.multipliers};
+  if (!left_over.empty() && !rest) return {};
+  if (!left_over.empty()) certificate.equations.emplace_back(-1, rest(expression(left_over)));
   for (std::size_t i = 0; i < rules.size(); ++i)
     if (!search.cofactors[i].empty())
       certificate.equations.emplace_back(expression(search.cofactors[i]), rules[i]);
@@ -97,6 +99,9 @@ std::optional<Theorem> rewritten_to_0(Expr goal, const Theorems& factors, const 
 Given found_in(Expr goal, const Given& given) {
   Given out = given;
   std::set<Expr> seen;
+  for (const Theorem& t : given.rules)
+    if (const Expr is = canonical(left(t)); is.op() == Op::Pow) seen.insert(is.arg(0));
+  for (const Theorem& t : given.divisors) seen.insert(canonical(1 / gap(t)));
   std::vector<Expr> to_see{goal.arg(0), goal.arg(1)};
   for (const Theorem& t : given.rules + given.divisors) to_see.push_back(gap(t));
   while (!to_see.empty()) {
@@ -115,8 +120,9 @@ Given found_in(Expr goal, const Given& given) {
 }
 }  // namespace
 
-Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts, const Exprs& bases) {
-  const auto prove = [&](Expr g) { return cancel(g, factors, facts, bases); };
+Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts, const Exprs& bases,
+               const std::function<Theorem(Expr)>& rest) {
+  const auto prove = [&](Expr g) { return cancel(g, factors, facts, bases, rest); };
   if (const auto all = by_parts(goal, prove)) return *all;
   Given given;
   for (const Theorem& t : parts(facts))
@@ -130,8 +136,15 @@ Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts, const 
   }
   Polynomial left_over;
   if (const auto t = rewritten_to_0(goal, factors, given, left_over)) return *t;
-  if (const auto t = rewritten_to_0(goal, factors, found_in(goal, given), left_over)) return *t;
+  if (const auto t = rewritten_to_0(goal, factors, found_in(goal, given), left_over, rest))
+    return *t;
   refuse("no proof found of " + text(goal) + "; left over: " + text(expression(left_over)));
+}
+Expr reduced(Expr term, Theorems facts) {
+  std::erase_if(facts, [](const Theorem& t) { return t.conclusion().op() != Op::Eq; });
+  Polynomial out;
+  rewritten_to_0(eq(0, term), {}, {facts, {}}, out);
+  return expression(out);
 }
 Theorem equation(Expr goal, const Theorems& facts, const Exprs& bases) {
   return cancel(goal, {}, facts, bases);

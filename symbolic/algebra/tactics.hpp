@@ -95,9 +95,12 @@ inline Expr gap(const Theorem& relation) { return gap(relation.conclusion()); }
 /// angles `bases`, if any. Throws Refused, with what is left over, if that does not end in 0 = 0.
 Theorem equation(Expr goal, const Theorems& facts = {}, const Exprs& bases = {});
 Theorem equation(Expr l, Expr r, const Theorems& facts = {}, const Exprs& bases = {});
-/// The same after the goal is multiplied by `factors`, each proved not 0.
+/// The same after the goal is multiplied by `factors`, each proved not 0; `rest` may prove that
+/// what is left over is 0.
 Theorem cancel(Expr goal, const Theorems& factors, const Theorems& facts = {},
-               const Exprs& bases = {});
+               const Exprs& bases = {}, const std::function<Theorem(Expr)>& rest = {});
+/// What the equations among `facts` leave of a term when no more can be rewritten.
+Expr reduced(Expr term, Theorems facts);
 /// `arithmetic`, where multipliers are divisors, too.
 Theorem certified(Expr goal, Certificate c);
 /// x = the rest of an equation in which the monomial x is a term.

@@ -29,11 +29,13 @@ std::string guard(const PlainForm& f, const Case& c) {
   }
   return joined(parts, " && ");
 }
-/// The exception where that does not hold; what takes more than a line is in the comment alone.
+/// Whether what is allowed is said where it is thrown; what takes more than a line, in the comment.
+bool is_short(const std::string& allowed) { return allowed.size() + 12 <= columns; }
+/// The exception where that does not hold.
 std::string unless(const std::string& condition, const std::string& start, std::string end) {
   const std::string thrown = "    throw std::domain_error(\"" + start, next = "\"\n        \"";
   const auto has_room = [&](std::size_t before) { return before + end.size() + 3 <= columns; };
-  if (!has_room(9)) end = "what its comment says";
+  if (!is_short(end)) end = "what its comment says";
   return "  if (!(" + condition + "))\n" + thrown + (has_room(thrown.size()) ? "" : next) + end +
          "\");\n";
 }
@@ -108,6 +110,7 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   const Expr first = q.cases[0].outputs[0].conclusion().arg(0);
   std::string code;
   Words domains, counts, parameters;
+  bool is_in_comment = true;
   const bool is_exact = f.form == "exact", is_float = f.most_in_float < infinity;
   for (const Case& c : q.cases) {
     const Program p = lower(q, c, is_exact ? Numbers::field : Numbers::plain);
@@ -138,9 +141,10 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
       code += "  }\n";
       continue;
     }
-    const std::string of_float = is_float ? "; floats within " + hex(f.most_in_float) : "";
-    if (!inside.empty())
-      code += unless(inside, name + ": allowed: ", joined(domains, "; or ") + of_float);
+    const std::string of_float = is_float ? "; floats within " + hex(f.most_in_float) : "",
+                      allowed = joined(domains, "; or ") + of_float;
+    is_in_comment = inside.empty() || !is_short(allowed);
+    if (!inside.empty()) code += unless(inside, name + ": allowed: ", allowed);
     code += body;
   }
   for (const Input& i : q.inputs)
@@ -150,8 +154,8 @@ void emit_function(const PlainForm& f, const Ids& ids, const std::set<std::strin
   const std::string theorems = listed(ids_of(q.cases, ids));
   if (!is_matrix)
     e.header += "template <class Number> struct " + structure + " { Number " + outputs + "; };\n";
-  e.header += "/// " + q.name + of_paper + ": " + outputs +
-              ". Domain: " + joined(domains, "; or ") +
+  e.header += "/// " + q.name + of_paper + (is_matrix ? ": " + outputs : "") +
+              (is_in_comment ? ". Domain: " + joined(domains, "; or ") : "") +
               (theorems.empty() ? "" : ". Theorems: " + theorems) +
               ". Operations: " + joined(counts, "; or ");
   if (!ceilings.empty())

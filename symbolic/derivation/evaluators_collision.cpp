@@ -1,5 +1,4 @@
 // Evaluated forms of the time and distance of a collision, from a sine and a cosine of j psi/4.
-#include "derivation/evaluators.hpp"
 #include "derivation/wedge.hpp"
 
 namespace derivation {

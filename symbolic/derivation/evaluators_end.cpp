@@ -1,5 +1,5 @@
 // Evaluated forms of the terminal velocities and counts.
-#include "derivation/evaluators.hpp"
+#include "derivation/symbols.hpp"
 
 namespace derivation {
 void end_forms(Book& book) {

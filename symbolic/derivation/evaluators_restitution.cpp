@@ -1,5 +1,4 @@
 // Evaluated forms of the terminal velocities with restitution, of any masses; that of A is 1.
-#include "derivation/evaluators.hpp"
 #include "derivation/wedge.hpp"
 
 namespace derivation {

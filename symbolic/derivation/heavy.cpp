@@ -1,5 +1,5 @@
 // A ball that is not lighter than a block has one collision with each: rational velocities.
-#include "derivation/evaluators.hpp"
+#include "derivation/symbols.hpp"
 
 namespace derivation {
 void heavy(Book& book) {

@@ -1,5 +1,4 @@
 // What the kernel proves again: equations of terms of +, *, /, roots and sines of parts of pi.
-#include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
 
 namespace equality {
@@ -8,10 +7,9 @@ using algebra::Theorem;
 using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
-constexpr int highest_order = 12, most_multiplied_out = 24, few_roots = 2, most_of_roots = 6;
-constexpr int most_below = 1000, most_of_pi = 60;        // a denominator; d of pi/d
-constexpr std::array whole_parts{7, 9, 11, 13, 17, 19};  // d whose cosines have no square roots
-constexpr int most_work = 10, most_work_of_15 = 3, most_of_whole = 40;  // of no, many and no roots
+constexpr int highest_order = 24, most_multiplied_out = 24;
+constexpr int most_of_pi = 64;                   // d of pi/d, if it has square roots
+constexpr int most_work = 24, most_of_odd = 40;  // with square roots, and without
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
@@ -42,19 +40,6 @@ Expr by_facts(Expr e, const Theorems& facts) {
       e = kernel::canonical(
           kernel::replace(e, kernel::canonical(algebra::left(*is)), algebra::right(*is)));
   return e;
-}
-// 0 < c or c < 0 from the signs of its parts or of its inverse, or not c = 0, as it has one.
-Theorem not_zero(Expr c, const Theorems& facts) {
-  for (Expr side : {c, kernel::canonical(-c)})
-    if (const auto positive = algebra::sign_of(side)) return *positive;
-  const Expr inverse = algebra::simplified(1 / by_facts(c, facts)), zero = kernel::eq(c, 0);
-  algebra::Certificate proof{.equations = {{-1, algebra::equation(c * inverse, 1, facts)}},
-                             .products = {{1}}};
-  const auto positive = algebra::sign_of(inverse);
-  if (positive) proof.multipliers = {*positive};
-  if (positive) return algebra::certified(kernel::lt(0, c), proof);
-  proof.equations.emplace_back(inverse, kernel::assume(zero));
-  return algebra::refute(zero, kernel::arithmetic(kernel::lt(0, 0), proof));
 }
 /// less < more or less <= more, from their squares.
 std::optional<Theorem> is_less(Expr less, Expr more, const Theorems& facts) {
@@ -91,6 +76,7 @@ struct Roots {
   Exprs others = {};  // that are not known by simpler ones
   std::set<Expr> definitions = {};
   Theorems facts = {};
+  Enclosures bounds = {};  // of roots of numbers and cosines
 
   void see(Expr e) {
     for (Expr part : e.args()) see(part);
@@ -103,6 +89,7 @@ struct Roots {
   }
   std::optional<Expr> by_factors(Expr root) {
     const Sum sum = forms.of(root);
+    if (sum.empty()) return Expr(0);
     if (sum.size() != 1) return {};
     Expr out = sum.begin()->second;
     for (const auto& [factor, power] : sum.begin()->first) {
@@ -111,6 +98,10 @@ struct Roots {
       if (!e || order == 0 || order > highest_order) return {};
       const int n = cln::cl_I_to_int(order), k = whole(*e * order);
       const bool is_abs = is_call(factor, "abs");
+      if (is_abs && n % 2 != 0 && k % 2 == 0) {
+        out = out * kernel::power(notation::root(n, factor.arg(0)), k);
+        continue;
+      }
       const Expr other = kernel::canonical(-(is_abs ? factor.arg(0) : factor));
       const bool is_turned = (is_abs || n == 1) && algebra::sign_of(other, facts, false);
       const Expr of = is_turned ? other : factor;
@@ -121,49 +112,25 @@ struct Roots {
     }
     return is_algebraic_term(out) ? std::optional(out) : std::nullopt;
   }
-  /// What is a + b or a - b, where b is one root, or a multiple of it.
-  struct Surd {
-    Expr a, square;
-    bool is_sum;
-  };
-  std::optional<Surd> surd(Expr x) {
-    const auto has_root = [](const auto& power) { return !whole_number(power.second); };
-    Sum a, b;
-    for (const auto& term : forms.of(x))
-      (std::ranges::any_of(term.first, has_root) ? b : a).insert(term);
-    if (a.empty() || b.size() != 1) return {};
-    const Expr square = forms.expression(forms.of(kernel::power(forms.expression(b), 2)));
-    return Surd{forms.expression(a), square, b.begin()->second > 0};
-  }
   // sqrt(a + b) and sqrt(a - b) are sqrt((a + d)/2) plus or minus sqrt((a - d)/2), d^2 = a^2 - b^2.
   std::optional<Expr> of_sum(Expr root) {
-    const auto x = is_call(root, "sqrt") ? surd(root.arg(0)) : std::nullopt;
-    if (!x) return {};
-    Expr d = forms.expression(forms.of(kernel::sqrt(kernel::power(x->a, 2) - x->square)));
+    if (!is_call(root, "sqrt")) return {};
+    const auto has_root = [](const auto& power) { return !whole_number(power.second); };
+    Sum first, second;  // b is one root, or a multiple of it
+    for (const auto& term : forms.of(root.arg(0)))
+      (std::ranges::any_of(term.first, has_root) ? second : first).insert(term);
+    if (first.empty() || second.size() != 1) return {};
+    const Expr a = forms.expression(first), b = forms.expression(second);
+    Expr d = forms.expression(forms.of(kernel::sqrt(kernel::power(a, 2) - kernel::power(b, 2))));
     for (Expr part : parts_of(d)) {
       if (is_call(part, "abs")) d = kernel::replace(d, part, part.arg(0));
       if (is_call(part, "sqrt")) return {};
     }
-    const auto half = [&](Expr e) { return kernel::sqrt(kernel::canonical((x->a + e) / 2)); };
+    const auto half = [&](Expr e) { return kernel::sqrt(kernel::canonical((a + e) / 2)); };
     const Expr more = half(d), less = half(-d);
-    if (x->is_sum) return more + less;
+    if (second.begin()->second > 0) return more + less;
     if (const auto falls = is_less(less, more, facts)) facts.push_back(*falls);
     return more - less;
-  }
-  // The cube roots of a + b and a - b have a product q and a sum t, t^3 = 3 q t + 2 a.
-  std::optional<Expr> of_cubes(Expr root) {
-    const auto x = order(root) == 3 ? surd(definition(root)[0].arg(1)) : std::nullopt;
-    if (!x) return {};
-    const auto a = notation::rational_value(x->a), square = notation::rational_value(x->square);
-    cln::cl_RA q;
-    if (!a || !square || !cln::rootp(cln::abs(*a * *a - *square), 3, &q)) return {};
-    if (*a * *a < *square) q = -q;
-    const cln::cl_RA one = enclosure(root, 128).low();
-    const auto sum = one == 0 ? std::nullopt : near_fraction(one + q / one, most_below);
-    if (!sum || *sum * *sum * *sum != 3 * q * *sum + 2 * *a) return {};
-    const cln::cl_RA t = *sum;
-    const Expr half = kernel::sqrt(Expr(t * t / 4 - q));
-    return x->is_sum ? Expr(t / 2) + half : Expr(t / 2) - half;
   }
   std::optional<Expr> of_inverse(Expr root) {  // sqrt(1/u) is 1/sqrt(u)
     const Expr x = kernel::canonical(root.arg(0));
@@ -173,12 +140,31 @@ struct Roots {
     const Expr q = of.size() == 1 ? Expr(cln::abs(of.begin()->second)) : Expr(1);
     return 1 / (kernel::sqrt(q) * kernel::sqrt(kernel::canonical(u / q)));
   }
+  /// Bounds of a root of a number, and its equation.
+  void enclose(Expr root) {
+    const Exprs defined = definition(root);
+    const Expr base = defined[0].arg(1), plain = algebra::reduced(base, facts);
+    if (plain == Expr(0)) return facts.push_back(root_is(root, 0, facts));
+    const Theorem same = algebra::equation(base, plain, facts);
+    Theorems is = algebra::assumed(defined);
+    if (is_call(root, "sqrt")) {
+      const Theorem above = algebra::linear(kernel::le(0, base), {same, bounds.of(plain).above});
+      is = {algebra::root_squared(above),
+            algebra::at("root not negative", {{kernel::real("x"), base}}, {above})};
+    }
+    is[0] = algebra::chain(is[0], same);
+    bounds.add_root(is[0], Theorems(is.begin() + 1, is.end()));
+    facts.push_back(is[0]);
+    const Expr canonical = kernel::canonical(root);
+    if (const auto sign = algebra::sign_of(canonical, {bounds.of(canonical).above}))
+      facts.push_back(*sign);
+  }
   void add(Expr e) {
     for (Expr part : e.args()) add(part);
     if (!is_root(e) || !seen.insert(kernel::canonical(e)).second) return;
     const Exprs is = definition(e);
     if (!is_call(e, "sqrt")) definitions.insert(is.begin(), is.end());
-    for (auto simpler : {&Roots::of_sum, &Roots::of_cubes, &Roots::by_factors, &Roots::of_inverse})
+    for (auto simpler : {&Roots::of_sum, &Roots::by_factors, &Roots::of_inverse})
       if (is_proved([&] {
             const auto t = (this->*simpler)(e);
             if (!t || kernel::canonical(*t) == kernel::canonical(e)) return false;
@@ -189,6 +175,7 @@ struct Roots {
           }))
         return;
     others.push_back(e);
+    if (is_constant(e) && is_proved([&] { return enclose(e), true; })) return;
     if (is_call(e, "sqrt")) return;
     Theorems known = algebra::assumed(is);
     for (bool strict : {false, true})
@@ -242,14 +229,10 @@ cln::cl_I work(Expr e, const cln::cl_I& d) {
   for (Expr part : e.args()) sum = sum + work(part, d);
   return e.op() == Op::Pow ? sum * e.exponent() : sum;
 }
-// Sums to high powers, of a few roots sooner, are names, for they are not multiplied out; each
-// in the order and with the sign that came first.
+// Sums to high powers are names, for they are not multiplied out; each as it came first.
 void name_bases(Expr e, kernel::Substitution& names, Theorems& turned) {
-  const auto most = [&] {
-    return work(e.arg(0), 1) > few_roots ? most_of_roots : most_multiplied_out;
-  };
-  if (e.op() == Op::Pow && e.exponent() > most() && e.arg(0).op() == Op::Add &&
-      e.arg(0).sort() == kernel::Sort::Real && names.size() < std::size_t(most_multiplied_out)) {
+  if (e.op() == Op::Pow && e.exponent() > most_multiplied_out && e.arg(0).op() == Op::Add &&
+      e.arg(0).sort() == kernel::Sort::Real && !is_constant(e)) {
     for (const auto& [name, base] : names)
       for (Expr same : {base, -base})
         if (kernel::canonical(same) == kernel::canonical(e.arg(0)))
@@ -258,15 +241,11 @@ void name_bases(Expr e, kernel::Substitution& names, Theorems& turned) {
   }
   for (Expr part : e.args()) name_bases(part, names, turned);
 }
-// cos(t)^n in lower powers, t = pi/d: 3t is pi/3, or sin(nt) = sin((n + 1)t), and both are sin(t)
-// times polynomials in cos(t).
+// cos(t)^n in lower powers, t = pi/d: sin(nt) = sin((n + 1)t), and both are sin(t) times
+// polynomials in cos(t).
 Theorem power_of_cosine(int d) {
   const Expr x = kernel::real("x"), pi = kernel::pi(), t = pi / d, c = kernel::cos(t),
-             s = kernel::sin(t), cube = kernel::power(c, 3);
-  if (d == 9)
-    return algebra::linear(kernel::eq(cube, (6 * c + 1) / 8),
-                           {algebra::equation(kernel::cos(3 * t), 4 * cube - 3 * c, {}, {t}),
-                            algebra::part_of_pi(3)->cosine});
+             s = kernel::sin(t);
   const int n = d / 2;
   Expr before = 0, u = 1;
   for (int k = 0; k < n; ++k) before = std::exchange(u, kernel::canonical(2 * c * u - before));
@@ -307,12 +286,17 @@ void add_sines(Expr e, Roots& roots) {
   cln::cl_I d = 1;
   for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
   const int parts = d > most_of_pi ? 0 : cln::cl_I_to_int(d);
-  const bool is_whole = std::ranges::count(whole_parts, parts) != 0;
-  const int most = is_whole ? most_of_whole : parts % 15 == 0 ? most_work_of_15 : most_work;
-  const auto part = is_whole ? std::nullopt : algebra::part_of_pi(parts);
-  const bool is_free = is_whole && std::ranges::none_of(parts_of(e), is_root);
-  if (work(e, d) <= most && (is_free || part)) {
-    if (is_free) roots.facts.push_back(power_of_cosine(parts));
+  const bool is_odd = parts % 2 != 0 && parts > 5 && parts < 36 && parts != 15;
+  const auto part = is_odd ? std::nullopt : algebra::part_of_pi(parts);
+  if (work(e, d) <= (is_odd ? most_of_odd : most_work) && (is_odd || part)) {
+    if (is_odd) {
+      const Theorem cosine = power_of_cosine(parts);
+      roots.facts.push_back(cosine);
+      roots.bounds.add_cosine(parts, cosine);
+      const Expr t = kernel::pi() / parts;
+      roots.bounds.add_root(algebra::angles({}, {t}).back(),
+                            {algebra::not_negative(kernel::sin(t))});
+    }
     if (part) {
       const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
       roots.facts = roots.facts + Theorems{part->cosine, part->sine} + part->signs;
@@ -359,7 +343,7 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
     for (const Requirement& r : needs)
       if (!is_constant(r.term)) facts.push_back(kernel::assume(formula(r)));
     for (Expr e : parts_of(goal)) {
-      if (e.op() != Op::Add) continue;
+      if (e.op() != Op::Add || is_constant(e)) continue;
       for (Expr side : {e, kernel::canonical(-e)})
         if (const auto sign = by_squares(side, facts)) facts.push_back(*sign);
     }
@@ -369,11 +353,16 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
     for (const Requirement& r : needs) {
       if (!is_constant(r.term)) continue;
       const bool is_sure =
-          is_proved([&] { return facts.push_back(not_zero(r.term, facts)), true; });
+          is_proved([&] { return facts.push_back(roots.bounds.sign(r.term, facts)), true; });
       if (!is_sure || r.kind != Need::NotZero) facts.push_back(kernel::assume(formula(r)));
     }
-    if (!is_proved([&] { return algebra::equation(goal, facts), true; })) roots.solve_for_one(goal);
-    Theorem proved = algebra::equation(goal, facts);
+    std::optional<Theorem> found;
+    const auto find = [&](const std::function<Theorem(Expr)>& rest) {
+      return is_proved([&] { return found = algebra::cancel(goal, {}, facts, {}, rest), true; });
+    };
+    if (!is_constant(both) && !find({})) roots.solve_for_one(goal);
+    if (!found && !find([&](Expr sum) { return vanishes(sum, facts, roots.bounds); })) return false;
+    Theorem proved = *found;
     for (Expr h : proved.hypotheses())
       if (std::ranges::find(needs, h, formula) == needs.end() && !roots.definitions.contains(h))
         return false;  // a hypothesis that nobody is told of

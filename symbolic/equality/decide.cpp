@@ -36,8 +36,10 @@ public:
       }
     } else if (!is_different_exactly() && verdict.proof.empty()) {
       verdict.proof =
-          "neither a proof nor a counterexample was found; both sides agree to 50 digits at " +
-          std::to_string(common.size()) + (common.size() == 1 ? " point" : " points");
+          "neither a proof nor a counterexample was found; " +
+          (common.empty() ? "both sides could be computed nowhere"
+                          : "both sides agree to 50 digits at " + std::to_string(common.size()) +
+                                (common.size() == 1 ? " point" : " points"));
     }
     return verdict;
   }
@@ -146,6 +148,7 @@ private:
   bool proved(const std::string& how) { return verdict.proof = how, true; }
   bool prove() {
     if (left == right) return proved("both sides are the same expression");
+    std::set<std::string> whole;
     for (Expr e : parts_of(left - right)) {
       if (!is_call(e, "raised") || kernel::free_variables(e.arg(1)).empty() ||
           !is_whole_form(e.arg(1)) || Forms(domain).is_integer(e.arg(1)))
@@ -153,9 +156,11 @@ private:
       if (!is_proved_below_0(e))
         return proved("not decided at whole exponents of " + typed_text(e.arg(0))), false;
       if (is_certain({Need::Positive, Expr(-1) * e.arg(0)}, domain))
-        verdict.conditions.push_back(typed_text(e.arg(1)) + " integer");
+        for (Expr symbol : kernel::free_variables(e.arg(1)))
+          if (!Forms(domain).is_integer(symbol)) whole.insert(typed_text(symbol) + " integer");
     }
-    if (!verdict.conditions.empty()) return proved("whole exponents: elsewhere there is no value");
+    verdict.conditions.assign(whole.begin(), whole.end());
+    if (!whole.empty()) return proved("whole exponents: elsewhere there is no value");
     if (has_impossible_need()) return false;
     const Expr difference = left - right;
     if (domain.ranges.empty() && exact_sign(difference) == 0)

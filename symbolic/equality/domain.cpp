@@ -105,6 +105,7 @@ Domain read_domain(const std::string& text, const std::set<std::string>& symbols
   // Absent symbols may bound others: x < y < z.
   const auto note = [&](Expr e, const std::string& condition) {
     for (const std::string& name : notation::symbols_of(e)) {
+      if (name == "integer" || name == "real") refuse("is a comma missing?");
       if (symbols.contains(name)) continue;
       domain.ranges.try_emplace(notation::symbol(name), usual_range(name));
       unused.push_back("\"" + condition + "\": " + name + " is in neither expression");

@@ -1,5 +1,4 @@
 // Sums as products: what all terms share, then the factors of a polynomial in what is left.
-#include "algebra/tactics.hpp"
 #include "equality/normal_form.hpp"
 
 namespace equality {

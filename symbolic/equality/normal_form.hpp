@@ -8,8 +8,8 @@
 #include <array>
 #include <utility>
 
+#include "algebra/tactics.hpp"
 #include "equality/decide.hpp"
-#include "kernel/polynomial.hpp"
 
 namespace equality {
 using kernel::Op;
@@ -194,4 +194,31 @@ std::vector<std::pair<kernel::Polynomial, int>> factorized(const kernel::Polynom
 bool is_same_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common);
 /// `right` with its inverse angles as multiples of those of `left`, where that is proved.
 Expr with_one_angle(Expr left, Expr right, const Domain& domain, const std::vector<Point>& common);
+
+/// Bounds of constants by rational numbers, each proved by the kernel.
+class Enclosures {
+public:
+  /// low <= e and e <= high
+  struct Bounds {
+    cln::cl_RA low, high;
+    algebra::Theorem above, below;
+  };
+  /// Refused: what is not +, *, powers and what has been added.
+  Bounds of(Expr constant) const;
+  /// 0 < e or e < 0; by `facts` it is what has bounds. Refused: 0 is between them.
+  algebra::Theorem sign(Expr constant, const algebra::Theorems& facts) const;
+  /// From root^n = base; where n is even, also 0 <= root.
+  void add_root(const algebra::Theorem& is, const algebra::Theorems& sign);
+  /// The cosine c of pi/d, 6 < d < 36, from c^n = a polynomial in c whose greatest zero it is.
+  void add_cosine(int d, const algebra::Theorem& is);
+
+private:
+  std::map<Expr, Bounds> known;
+  static Bounds shown(Expr e, const cln::cl_RA& low, const cln::cl_RA& high,
+                      const algebra::Theorems& facts);
+};
+
+/// |- sum = 0: times another sum it is 0 by `facts` (monomial = term), and that one's bounds are of
+/// one sign. Refused: not found.
+algebra::Theorem vanishes(Expr sum, const algebra::Theorems& facts, const Enclosures& of);
 }  // namespace equality

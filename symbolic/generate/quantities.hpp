@@ -2,9 +2,14 @@
 #pragma once
 
 #include "codegen/emit.hpp"
-#include "generate/tree.hpp"
 
 namespace generate {
+using Texts = std::map<std::string, std::string>;  ///< by path below the folder
+/// Writes all files beside their places, then renames them all. Throws std::runtime_error, naming
+/// the file, where one cannot be written; then none has changed.
+void write(const std::string& folder, const Texts& texts);
+/// What differs, a line each: "PATH: differs", "PATH: is not there", "PATH: is not generated".
+std::vector<std::string> differences(const std::string& folder, const Texts& texts);
 /// Theorems of the book, with their ids.
 class Source {
 public:

@@ -1,9 +1,9 @@
-#include "generate/tree.hpp"
-
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+
+#include "generate/quantities.hpp"
 
 namespace generate {
 namespace {

@@ -167,8 +167,7 @@ private:
       refuse_at(column, std::string("a number of another base? write it in decimal, or 0*") +
                             char(base) + " for a product");
     if (text.substr(at, 4) == U"x10^")
-      refuse_at(column,
-                word + "x10^ has two readings: write " + word + "*10^ or " + word + "*x_10^");
+      refuse_at(column, "is x a symbol? write " + word + "*10^ for a power of ten");
     const bool has_sign = peek(1) == U'+' || peek(1) == U'-';
     if ((peek() | 0x20U) == U'e' && is_digit(peek(has_sign ? 2 : 1))) {
       const bool is_small = text[at++] == U'e';

@@ -30,8 +30,7 @@ template <class Number> std::pair<Number, Number> T_doubled(const Number& alpha,
   return {low, high};
 }
 template <class Number> struct VelocitiesExact { Number a, b, c, c_prime; };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha > 0,
-///   n from 0 to 0; or alpha > 0, n from 1 to 4611686018427387904. Theorems: cycle.start_vector,
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final). Theorems: cycle.start_vector,
 ///   c_start, power.V_CM, exact.b_before, a, b, c, c_prime. Operations: none; or products: 6,
 ///   quotients: 3, sums: 9, and those of the calls.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
@@ -56,10 +55,10 @@ VelocitiesExact<Number> velocities_exact(const Number& alpha, std::int64_t n) {
   return {a, b, c, c_prime};
 }
 template <class Number> struct TerminalExact { Number a_t, b_t, c_t, rho; };
-/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): a_t, b_t, c_t, rho. Domain:
-///   alpha > 0, N_A(alpha) from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904.
-///   Theorems: power.V_CM, exact.a_t, b_t, terminal.definitions, evaluators_end.def_rho.
-///   Operations: products: 5, quotients: 2, sums: 6, and those of the calls.
+/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct). Domain: alpha > 0, N_A(alpha)
+///   from 1 to 4611686018427387904, N_B(alpha) from 1 to 4611686018427387904. Theorems: power.V_CM,
+///   exact.a_t, b_t, terminal.definitions, evaluators_end.def_rho. Operations: products: 5,
+///   quotients: 2, sums: 6, and those of the calls.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std::int64_t N_B) {
   if (!(N_A >= 1 && N_A <= 4611686018427387904 && N_B >= 1 && N_B <= 4611686018427387904))
@@ -77,8 +76,8 @@ TerminalExact<Number> terminal_exact(const Number& alpha, std::int64_t N_A, std:
   return {a_t, b_t, c_t, rho};
 }
 template <class Number> struct ShapeExact { Number K, q_e; };
-/// shape: K, q_e. Domain: M_A > 0, w_B >= 0, M_C > 0, e > 0. Theorems: collapse.def_K,
-///   bodies.def_q_e. Operations: products: 3, quotients: 4, sums: 4.
+/// shape. Domain: M_A > 0, w_B >= 0, M_C > 0, e > 0. Theorems: collapse.def_K, bodies.def_q_e.
+///   Operations: products: 3, quotients: 4, sums: 4.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Number& M_C, const
     Number& e) {
@@ -90,10 +89,9 @@ ShapeExact<Number> shape_exact(const Number& M_A, const Number& w_B, const Numbe
 }
 template <class Number> struct TwoCollisionsExact { Number ends, two, four, six, a_two, b_two,
     c_two, rho_two; };
-/// two_collisions (eq:a-terminal eq:b-terminal eq:ct): ends, two, four, six, a_two, b_two, c_two,
-///   rho_two. Domain: M_C > 0, w_B >= 0, e > 0. Theorems: evaluators_restitution.def_taken_two,
-///   def_ends, def_two, def_four, def_six, a_two, b_two, c_two, def_rho_two. Operations: products:
-///   16, quotients: 5, sums: 9.
+/// two_collisions (eq:a-terminal eq:b-terminal eq:ct). Domain: M_C > 0, w_B >= 0, e > 0. Theorems:
+///   evaluators_restitution.def_taken_two, def_ends, def_two, def_four, def_six, a_two, b_two,
+///   c_two, def_rho_two. Operations: products: 16, quotients: 5, sums: 9.
 template <class Number> requires(!std::is_arithmetic_v<Number>)
 TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number& w_B, const Number&
     e) {
@@ -117,7 +115,7 @@ TwoCollisionsExact<Number> two_collisions_exact(const Number& M_C, const Number&
   return {ends, two, four, six, a_two, b_two, c_two, rho_two};
 }
 template <class Number> struct ClosingExact { Number closing_e, edge_e; };
-/// closing (eq:inelastic): closing_e, edge_e. Domain: M_C > 0, w_B >= 0, e > 0, x >= 0. Theorems:
+/// closing (eq:inelastic). Domain: M_C > 0, w_B >= 0, e > 0, x >= 0. Theorems:
 ///   evaluators_restitution.def_closing_e, def_edge_e. Operations: products: 6, quotients: 1, sums:
 ///   5.
 template <class Number> requires(!std::is_arithmetic_v<Number>)

@@ -12,10 +12,9 @@
 namespace magicmass::generated {
 using std::atan, std::ceil, std::cos, std::sin, std::sqrt;
 template <class Number> struct VelocitiesClosed { Number a, b, c, c_prime; };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
-///   0x1p-300 to 0x1p+20, n from 0 to 1125899906842624. Theorems: rotation.psi, power.V_CM, a, b,
-///   c, c_prime. Operations: arctangents: 1, cosines: 3, products: 10, quotients: 7, roots: 1,
-///   sines: 3, sums: 8.
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final). Theorems: rotation.psi, power.V_CM,
+///   a, b, c, c_prime. Operations: arctangents: 1, cosines: 3, products: 10, quotients: 7, roots:
+///   1, sines: 3, sums: 8.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-300 : 0x1p-16) && alpha <= Number(sizeof(Number) >
@@ -38,11 +37,10 @@ VelocitiesClosed<Number> velocities_closed(const Number& alpha, std::int64_t n) 
   return {a, b, c, c_prime};
 }
 template <class Number> struct TerminalClosed { Number N_A, N_B, a_t, b_t, c_t, rho; };
-/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: alpha from 0x1p-40 to 0x1p+20. Theorems: rotation.psi, counting.N_A, N_B, terminal.a,
-///   b, definitions, evaluators_end.def_rho. Operations: arctangents: 1, ceilings: 2, cosines: 2,
-///   products: 7, quotients: 4, roots: 1, sums: 9. Ceilings of rounded numbers, maybe off by one at
-///   thresholds and by more above 2^50: N_A, N_B.
+/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct). Theorems: rotation.psi,
+///   counting.N_A, N_B, terminal.a, b, definitions, evaluators_end.def_rho. Operations:
+///   arctangents: 1, ceilings: 2, cosines: 2, products: 7, quotients: 4, roots: 1, sums: 9.
+///   Ceilings of rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 TerminalClosed<Number> terminal_closed(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-40 : 0x1p-16) && alpha <= Number(sizeof(Number) >
@@ -64,8 +62,8 @@ TerminalClosed<Number> terminal_closed(const Number& alpha) {
   return {N_A, N_B, a_t, b_t, c_t, rho};
 }
 template <class Number> struct AngleClosed { Number psi; };
-/// angle (def:psi): psi. Domain: alpha from 0x1p-300 to 0x1p+300. Theorems: rotation.psi.
-///   Operations: arctangents: 1, products: 2, roots: 1, sums: 1.
+/// angle (def:psi). Theorems: rotation.psi. Operations: arctangents: 1, products: 2, roots: 1,
+///   sums: 1.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 AngleClosed<Number> angle_closed(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-300 : 0x1p-16) && alpha <= Number(sizeof(Number) >
@@ -77,9 +75,8 @@ AngleClosed<Number> angle_closed(const Number& alpha) {
   return {psi};
 }
 template <class Number> struct RatiosClosed { Number alpha_, beta_; };
-/// ratios (exact:ak exact:bk): alpha_, beta_. Domain: k from 1 to 1125899906842624. Theorems:
-///   ratios.alpha_k_paper, beta_k_paper. Operations: cosines: 2, products: 1, quotients: 4, sums:
-///   4.
+/// ratios (exact:ak exact:bk). Theorems: ratios.alpha_k_paper, beta_k_paper. Operations: cosines:
+///   2, products: 1, quotients: 4, sums: 4.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 RatiosClosed<Number> ratios_closed(std::int64_t k) {
   if (!(k >= 1 && k <= (sizeof(Number) > 4 ? 1125899906842624 : 65536)))

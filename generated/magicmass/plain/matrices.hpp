@@ -11,8 +11,8 @@
 
 namespace magicmass::generated {
 using std::cos, std::sin, std::sqrt;
-/// Gamma_A (eq:Gamma): Gamma_A. Domain: alpha from 0x1p-300 to 0x1p+300. Theorems: ball.Gamma,
-///   cycle.Gamma_A. Operations: products: 1, quotients: 2, roots: 1, sums: 2.
+/// Gamma_A (eq:Gamma): Gamma_A. Theorems: ball.Gamma, cycle.Gamma_A. Operations: products: 1,
+///   quotients: 2, roots: 1, sums: 2.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-300 : 0x1p-22) && alpha <= Number(sizeof(Number) >
@@ -27,8 +27,8 @@ std::array<std::array<Number, 3>, 3> Gamma_A(const Number& alpha) {
   return {{{Gamma_11, Number(0), Gamma_12}, {Number(0), Number(1), Number(0)}, {Gamma_12, Number(0),
       -Gamma_11}}};
 }
-/// Gamma_B (eq:Gamma): Gamma_B. Domain: alpha from 0x1p-300 to 0x1p+300. Theorems: ball.Gamma,
-///   cycle.Gamma_B. Operations: products: 1, quotients: 2, roots: 1, sums: 2.
+/// Gamma_B (eq:Gamma): Gamma_B. Theorems: ball.Gamma, cycle.Gamma_B. Operations: products: 1,
+///   quotients: 2, roots: 1, sums: 2.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-300 : 0x1p-22) && alpha <= Number(sizeof(Number) >
@@ -43,8 +43,8 @@ std::array<std::array<Number, 3>, 3> Gamma_B(const Number& alpha) {
   return {{{Number(1), Number(0), Number(0)}, {Number(0), Gamma_11, Gamma_12}, {Number(0), Gamma_12,
       -Gamma_11}}};
 }
-/// Lambda (eq:Lambda): Lambda. Domain: alpha from 0x1p-300 to 0x1p+300. Theorems: cycle.Lambda.
-///   Operations: products: 8, quotients: 3, roots: 1, sums: 2.
+/// Lambda (eq:Lambda): Lambda. Theorems: cycle.Lambda. Operations: products: 8, quotients: 3,
+///   roots: 1, sums: 2.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-300 : 0x1p-22) && alpha <= Number(sizeof(Number) >
@@ -64,8 +64,7 @@ std::array<std::array<Number, 3>, 3> Lambda(const Number& alpha) {
   return {{{Lambda_11, Number(0), Lambda_13}, {Number(4) * alpha * t7, Lambda_11, -t4 * t1 * t7},
       {-t4 * t1 * t7, Lambda_13, t1 * t1 * t7}}};
 }
-/// R (def:R): R. Domain: alpha from 0x1p-300 to 0x1p+300. Theorems: rotation.R. Operations:
-///   quotients: 6, roots: 3, sums: 1.
+/// R (def:R): R. Theorems: rotation.R. Operations: quotients: 6, roots: 3, sums: 1.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-300 : 0x1p-22) && alpha <= Number(sizeof(Number) >
@@ -83,8 +82,7 @@ std::array<std::array<Number, 3>, 3> R(const Number& alpha) {
   return {{{R_11, -R_33 / t1, R_13}, {R_21, -R_33 / t1, R_13}, {Number(0), Number(2) / t4 / t1,
       R_33}}};
 }
-/// lambda_3 (eq:lambda-3): lambda_3. Domain: x from -0x1p+50 to 0x1p+50. Theorems:
-///   rotation.lambda_3. Operations: cosines: 1, sines: 1.
+/// lambda_3 (eq:lambda-3): lambda_3. Theorems: rotation.lambda_3. Operations: cosines: 1, sines: 1.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 std::array<std::array<Number, 3>, 3> lambda_3(const Number& x) {
   if (!(x >= Number(sizeof(Number) > 4 ? -0x1p+50 : -0x1p+22) && x <= Number(sizeof(Number) > 4 ?

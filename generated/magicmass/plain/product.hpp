@@ -12,8 +12,7 @@
 namespace magicmass::generated {
 using std::abs, std::atan, std::ceil, std::cos, std::sin, std::sqrt;
 template <class Number> struct VelocitiesProduct { Number a, b, c, c_prime; };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
-///   0x1p-300 to 0x1p+300, n from 0 to 1125899906842624. Theorems: rotation.psi, power.V_CM,
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final). Theorems: rotation.psi, power.V_CM,
 ///   a_product, b_product, c_product, c_prime_product. Operations: arctangents: 1, cosines: 2,
 ///   products: 15, quotients: 5, roots: 1, sines: 3, sums: 5.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
@@ -44,11 +43,11 @@ VelocitiesProduct<Number> velocities_product(const Number& alpha, std::int64_t n
   return {a, b, c, c_prime};
 }
 template <class Number> struct TerminalProduct { Number N_A, N_B, a_t, b_t, c_t, rho; };
-/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: alpha from 0x1p-100 to 0x1p+48. Theorems: rotation.psi, power.V_CM, counting.N_A, N_B,
-///   evaluators_end.rest, a_product, b_product, c_product, def_rho. Operations: arctangents: 1,
-///   ceilings: 2, cosines: 2, products: 12, quotients: 7, roots: 1, sines: 3, sums: 8. Ceilings of
-///   rounded numbers, maybe off by one at thresholds and by more above 2^50: N_A, N_B.
+/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct). Theorems: rotation.psi,
+///   power.V_CM, counting.N_A, N_B, evaluators_end.rest, a_product, b_product, c_product, def_rho.
+///   Operations: arctangents: 1, ceilings: 2, cosines: 2, products: 12, quotients: 7, roots: 1,
+///   sines: 3, sums: 8. Ceilings of rounded numbers, maybe off by one at thresholds and by more
+///   above 2^50: N_A, N_B.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 TerminalProduct<Number> terminal_product(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-100 : 0x1p-22) && alpha <= Number(sizeof(Number) >
@@ -78,10 +77,10 @@ TerminalProduct<Number> terminal_product(const Number& alpha) {
   return {N_A, N_B, a_t, b_t, c_t, rho};
 }
 template <class Number> struct RatiosProduct { Number alpha_, beta_; };
-/// ratios (exact:ak exact:bk): alpha_, beta_. Domain: k from 1 to 1125899906842624. Theorems:
-///   evaluators_ratios.def_magic_angle, def_magic_sine, def_magic_versed, def_magic_cosine,
-///   def_deficient_angle, def_deficient_sine, def_deficient_versed, def_deficient_cosine, magic,
-///   deficient. Operations: products: 5, quotients: 6, sines: 2, sums: 4.
+/// ratios (exact:ak exact:bk). Theorems: evaluators_ratios.def_magic_angle, def_magic_sine,
+///   def_magic_versed, def_magic_cosine, def_deficient_angle, def_deficient_sine,
+///   def_deficient_versed, def_deficient_cosine, magic, deficient. Operations: products: 5,
+///   quotients: 6, sines: 2, sums: 4.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 RatiosProduct<Number> ratios_product(std::int64_t k) {
   if (!(k >= 1 && k <= (sizeof(Number) > 4 ? 1125899906842624 : 4194304)))

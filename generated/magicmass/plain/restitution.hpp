@@ -12,10 +12,10 @@
 namespace magicmass::generated {
 using std::atan, std::ceil, std::sin, std::sqrt;
 template <class Number> struct AngleRestitution { Number h_e, step_sine; };
-/// angle: h_e, step_sine. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
-///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0. Theorems: wedge.r_A, r_B, kappa, bodies.h_e, def_step_sine. Operations: arctangents:
-///   1, products: 3, quotients: 5, roots: 4, sines: 1, sums: 3.
+/// angle. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to
+///   0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0. Theorems:
+///   wedge.r_A, r_B, kappa, bodies.h_e, def_step_sine. Operations: arctangents: 1, products: 3,
+///   quotients: 5, roots: 4, sines: 1, sums: 3.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e) {
@@ -32,13 +32,13 @@ AngleRestitution<Number> angle_restitution(const Number& M_A, const Number& w_B,
   return {h_e, step_sine};
 }
 template <class Number> struct CountRestitution { Number N_any; };
-/// count: N_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, step_sine(M_A, w_B, M_C, e) from
-///   0x1p-128 to 0x1p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32. Theorems:
-///   wedge.r_A, r_B, any_start.def_r_e, wedge.kappa, bodies.phase_e, N_any. Operations:
-///   arctangents: 1, ceilings: 1, products: 4, quotients: 10, roots: 3, sums: 8. Ceilings of
-///   rounded numbers, maybe off by one at thresholds and by more above 2^50: N_any.
+/// count. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to
+///   0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A,
+///   w_B, M_C, e) from 0x1p-128 to 0x1p+2, step_sine(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, V
+///   from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32. Theorems: wedge.r_A, r_B,
+///   any_start.def_r_e, wedge.kappa, bodies.phase_e, N_any. Operations: arctangents: 1, ceilings:
+///   1, products: 4, quotients: 10, roots: 3, sums: 8. Ceilings of rounded numbers, maybe off by
+///   one at thresholds and by more above 2^50: N_any.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& step_sine, const Number& V,
@@ -64,11 +64,11 @@ CountRestitution<Number> count_restitution(const Number& M_A, const Number& w_B,
   return {N_any};
 }
 template <class Number> struct SinesRestitution { Number now, last; };
-/// sines: now, last. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to
-///   0x1p+0, h_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+2, step_sine(M_A, w_B, M_C, e) from
-///   0x1p-128 to 0x1p+0, j from 0 to 4611686018427387904. Theorems: bodies.now_sine, last_sine.
-///   Operations: products: 2, sines: 2, sums: 1.
+/// sines. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to
+///   0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, h_e(M_A,
+///   w_B, M_C, e) from 0x1p-128 to 0x1p+2, step_sine(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, j
+///   from 0 to 4611686018427387904. Theorems: bodies.now_sine, last_sine. Operations: products: 2,
+///   sines: 2, sums: 1.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 SinesRestitution<Number> sines_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& h_e, const Number& step_sine, std::int64_t j)
@@ -84,11 +84,11 @@ SinesRestitution<Number> sines_restitution(const Number& M_A, const Number& w_B,
   return {now, last};
 }
 template <class Number> struct RiseRestitution { Number last, now; };
-/// rise: last, now. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from -0x1p+128 to
-///   -0x1p-128, y_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, j from 0 to 4611686018427387904,
-///   pow(y_e, j) from 0x1p-128 to 0x1p+0. Theorems: bodies.last_rise, now_rise. Operations:
-///   products: 2, quotients: 2, roots: 1, sums: 2.
+/// rise. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to
+///   0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from -0x1p+128 to -0x1p-128,
+///   y_e(M_A, w_B, M_C, e) from 0x1p-128 to 0x1p+0, j from 0 to 4611686018427387904, pow(y_e, j)
+///   from 0x1p-128 to 0x1p+0. Theorems: bodies.last_rise, now_rise. Operations: products: 2,
+///   quotients: 2, roots: 1, sums: 2.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 RiseRestitution<Number> rise_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& y_e, std::int64_t j, const Number& pow) {
@@ -104,10 +104,10 @@ RiseRestitution<Number> rise_restitution(const Number& M_A, const Number& w_B, c
   return {last, now};
 }
 template <class Number> struct EvenRestitution { Number last, now; };
-/// even: last, now. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from
-///   0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x0p+0 to 0x0p+0,
-///   unit from 0x1p+0 to 0x1p+0, j from 0 to 4611686018427387904. Theorems: bodies.last_step,
-///   now_step. Operations: sums: 1.
+/// even. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to
+///   0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from 0x0p+0 to 0x0p+0, unit from
+///   0x1p+0 to 0x1p+0, j from 0 to 4611686018427387904. Theorems: bodies.last_step, now_step.
+///   Operations: sums: 1.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 EvenRestitution<Number> even_restitution(const Number& M_A, const Number& w_B, const Number& M_C,
     const Number& e, const Number& q_e, const Number& unit, std::int64_t j) {
@@ -120,9 +120,9 @@ EvenRestitution<Number> even_restitution(const Number& M_A, const Number& w_B, c
   return {Number(j), now};
 }
 template <class Number> struct AtRestitution { Number B_at, A_at, C_at; };
-/// at: B_at, A_at, C_at. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
-///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, unit from 0x1p-128 to 0x1p+1, j from 0
-///   to 4611686018427387904, now(M_A, w_B, M_C, e, unit, j) from -0x1p+0 to 0x1p+64, last(M_A, w_B,
+/// at. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to
+///   0x1p+128, e from 0x1p-128 to 0x1p+0, unit from 0x1p-128 to 0x1p+1, j from 0 to
+///   4611686018427387904, now(M_A, w_B, M_C, e, unit, j) from -0x1p+0 to 0x1p+64, last(M_A, w_B,
 ///   M_C, e, unit, j) from -0x1p+0 to 0x1p+64, per_unit(M_A, w_B, M_C, e, unit, j) from 0x0p+0 to
 ///   0x1p+64, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32,
 ///   d_B from 0x0p+0 to 0x1p+32, tau from 0x0p+0 to 0x1p+32, turn(j) from -0x1p+0 to 0x1p+0,
@@ -184,9 +184,9 @@ AtRestitution<Number> at_restitution(const Number& M_A, const Number& w_B, const
   return {B_at, A_at, C_at};
 }
 template <class Number> struct TimeRestitution { Number reach, moment; };
-/// time: reach, moment. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C
-///   from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, unit from 0x1p-128 to 0x1p+1, j from 0
-///   to 4611686018427387904, now(M_A, w_B, M_C, e, unit, j) from -0x1p+0 to 0x1p+64, last(M_A, w_B,
+/// time. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128 to
+///   0x1p+128, e from 0x1p-128 to 0x1p+0, unit from 0x1p-128 to 0x1p+1, j from 0 to
+///   4611686018427387904, now(M_A, w_B, M_C, e, unit, j) from -0x1p+0 to 0x1p+64, last(M_A, w_B,
 ///   M_C, e, unit, j) from -0x1p+0 to 0x1p+64, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to
 ///   0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, reach between 0x1p-128 and
 ///   0x1p+128. Theorems: wedge.r_A, r_B, any_start.def_r_e, bodies.def_reach, moment. Operations:
@@ -215,12 +215,12 @@ TimeRestitution<Number> time_restitution(const Number& M_A, const Number& w_B, c
   return {reach, moment};
 }
 template <class Number> struct CollapseRestitution { Number y_e, end_speed, t_any, x_any, v_any; };
-/// collapse: y_e, end_speed, t_any, x_any, v_any. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from
-///   0x0p+0 to 0x1p+128, M_C from 0x1p-128 to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B,
-///   M_C, e) from -0x1p+128 to 0x0p+0, V from 0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A
-///   from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to 0x1p+32, end_speed between 0x1p-128 and 0x1p+128.
-///   Theorems: wedge.r_A, r_B, any_start.def_r_e, wedge.kappa, bodies.y_e, end_speed, t_any, x_any,
-///   v_any. Operations: products: 16, quotients: 9, roots: 4, sums: 13.
+/// collapse. Domain: M_A from 0x1p-128 to 0x1p+128, w_B from 0x0p+0 to 0x1p+128, M_C from 0x1p-128
+///   to 0x1p+128, e from 0x1p-128 to 0x1p+0, q_e(M_A, w_B, M_C, e) from -0x1p+128 to 0x0p+0, V from
+///   0x1p-32 to 0x1p+32, W from -0x1p+32 to 0x1p+32, d_A from 0x0p+0 to 0x1p+32, d_B from 0x0p+0 to
+///   0x1p+32, end_speed between 0x1p-128 and 0x1p+128. Theorems: wedge.r_A, r_B, any_start.def_r_e,
+///   wedge.kappa, bodies.y_e, end_speed, t_any, x_any, v_any. Operations: products: 16, quotients:
+///   9, roots: 4, sums: 13.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) > 4)  // nor 1.0f
 CollapseRestitution<Number> collapse_restitution(const Number& M_A, const Number& w_B, const Number&
     M_C, const Number& e, const Number& q_e, const Number& V, const Number& W, const Number& d_A,

@@ -12,9 +12,8 @@
 namespace magicmass::generated {
 using std::abs, std::atan, std::ceil, std::cos, std::sin, std::sqrt;
 template <class Number> struct VelocitiesTangent { Number a, b, c, c_prime; };
-/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final): a, b, c, c_prime. Domain: alpha from
-///   0x1p-300 to 0x1p+300, n from 0 to 1125899906842624. Theorems: evaluators.def_above, def_w,
-///   def_t, def_half_h, def_phase, def_sine, def_cosine, def_t_sine, def_w_sine, def_plus,
+/// velocities (eq:a-final eq:b-final eq:c-final eq:c'-final). Theorems: evaluators.def_above,
+///   def_w, def_t, def_half_h, def_phase, def_sine, def_cosine, def_t_sine, def_w_sine, def_plus,
 ///   def_minus, def_along, a, b, c, c_prime. Operations: arctangents: 1, cosines: 1, products: 13,
 ///   quotients: 1, roots: 1, sines: 1, sums: 4.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
@@ -42,13 +41,12 @@ VelocitiesTangent<Number> velocities_tangent(const Number& alpha, std::int64_t n
   return {a, b, c, c_prime};
 }
 template <class Number> struct TerminalTangent { Number N_A, N_B, a_t, b_t, c_t, rho; };
-/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct): N_A, N_B, a_t, b_t, c_t, rho.
-///   Domain: alpha from 0x1p-100 to 0x1p+48. Theorems: evaluators.def_above, def_w, def_t,
-///   def_half_h, evaluators_end.def_h, N_A, N_B, def_rest, def_rest_sine, def_rest_cosine,
-///   def_t_cosine, def_w_cosine, def_t_plus, def_t_minus, def_w_plus, def_b_form, terminal,
-///   def_rho. Operations: arctangents: 1, ceilings: 2, cosines: 1, products: 12, quotients: 4,
-///   roots: 1, sines: 1, sums: 7. Ceilings of rounded numbers, maybe off by one at thresholds and
-///   by more above 2^50: N_A, N_B.
+/// terminal (eq:NA-ans eq:NB-ans eq:a-terminal eq:b-terminal eq:ct). Theorems:
+///   evaluators.def_above, def_w, def_t, def_half_h, evaluators_end.def_h, N_A, N_B, def_rest,
+///   def_rest_sine, def_rest_cosine, def_t_cosine, def_w_cosine, def_t_plus, def_t_minus,
+///   def_w_plus, def_b_form, terminal, def_rho. Operations: arctangents: 1, ceilings: 2, cosines:
+///   1, products: 12, quotients: 4, roots: 1, sines: 1, sums: 7. Ceilings of rounded numbers, maybe
+///   off by one at thresholds and by more above 2^50: N_A, N_B.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-100 : 0x1p-22) && alpha <= Number(sizeof(Number) >
@@ -79,9 +77,8 @@ TerminalTangent<Number> terminal_tangent(const Number& alpha) {
   return {N_A, N_B, a_t, b_form, c_t, rho};
 }
 template <class Number> struct AngleTangent { Number psi; };
-/// angle (def:psi): psi. Domain: alpha from 0x1p-300 to 0x1p+300. Theorems: evaluators.def_above,
-///   def_w, def_t, def_half_h, psi. Operations: arctangents: 1, products: 3, quotients: 1, roots:
-///   1, sums: 1.
+/// angle (def:psi). Theorems: evaluators.def_above, def_w, def_t, def_half_h, psi. Operations:
+///   arctangents: 1, products: 3, quotients: 1, roots: 1, sums: 1.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 AngleTangent<Number> angle_tangent(const Number& alpha) {
   if (!(alpha >= Number(sizeof(Number) > 4 ? 0x1p-300 : 0x1p-22) && alpha <= Number(sizeof(Number) >
@@ -96,10 +93,10 @@ AngleTangent<Number> angle_tangent(const Number& alpha) {
   return {psi};
 }
 template <class Number> struct RatiosTangent { Number alpha_, beta_; };
-/// ratios (exact:ak exact:bk): alpha_, beta_. Domain: k from 1 to 1125899906842624. Theorems:
-///   evaluators_ratios.def_magic_angle, def_magic_sine, def_deficient_angle, def_deficient_sine,
-///   def_magic_tangent, def_deficient_tangent, magic_by_tangent, deficient_by_tangent. Operations:
-///   cosines: 2, products: 5, quotients: 8, sines: 2, sums: 4.
+/// ratios (exact:ak exact:bk). Theorems: evaluators_ratios.def_magic_angle, def_magic_sine,
+///   def_deficient_angle, def_deficient_sine, def_magic_tangent, def_deficient_tangent,
+///   magic_by_tangent, deficient_by_tangent. Operations: cosines: 2, products: 5, quotients: 8,
+///   sines: 2, sums: 4.
 template <class Number> requires(!std::integral<Number> && sizeof(Number) >= 4)  // 1.0, not 1
 RatiosTangent<Number> ratios_tangent(std::int64_t k) {
   if (!(k >= 1 && k <= (sizeof(Number) > 4 ? 1125899906842624 : 4194304)))

@@ -1,7 +1,6 @@
 // A chapter becomes a page; what would drift from the program or the proofs is refused.
 #include "answers/derivation.hpp"
 #include "course/chapter.hpp"
-#include "refusal.hpp"
 #include "rows.hpp"
 
 using course::Chapter;

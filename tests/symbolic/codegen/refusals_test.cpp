@@ -5,7 +5,6 @@
 #include "codegen/errors.hpp"
 #include "kernel/names.hpp"
 #include "notation/typed.hpp"
-#include "refusal.hpp"
 #include "rows.hpp"
 
 namespace {

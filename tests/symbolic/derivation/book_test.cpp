@@ -4,7 +4,6 @@
 #include "catch.hpp"
 #include "derivation/symbols.hpp"
 #include "kernel/names.hpp"
-#include "refusal.hpp"
 
 using namespace derivation;
 

@@ -4,8 +4,8 @@
 
 #include "catch.hpp"
 #include "magicmass/arithmetic/simd.hpp"
-#include "refusal.hpp"
-#include "src/magicmass/numbers/fingerprint.hpp"
+#include "src/magicmass/numbers/families.hpp"
+#include "src/magicmass/numbers/tiers.hpp"
 
 using namespace magicmass;
 using namespace magicmass::testing;

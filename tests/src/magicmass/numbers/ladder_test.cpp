@@ -63,6 +63,15 @@ TEST_CASE("every step gives the same rounded numbers, or leaves them open") {
   CHECK(open[numbers::slow] < open[numbers::accurate]);
   CHECK(open[numbers::by_mpfr] == 0);
 }
+TEST_CASE("one everyday row in a thousand needs more than Accurate, at most") {
+  Random random(55);
+  int open = 0;
+  for (int row = 0; row < 100000; ++row) {
+    Terminal t;
+    open += !numbers::kernels().terminal[numbers::accurate](t, log_uniform(random, 1e-4, 1));
+  }
+  CHECK((open > 0 && open <= 100));
+}
 TEST_CASE("threads do not disturb each other, at any precision") {
   Random random(54);
   std::vector<double> alpha;

@@ -1,0 +1,134 @@
+// Roots and cosines of pi/d span an algebra of finite dimension by their equations. A sum n of them
+// that is 0 as a number need not be 0 there; but then it divides 0: n q = 0, where q is not 0 as a
+// number. The powers of n are linearly dependent, and q is what is left of that over n.
+#include "equality/normal_form.hpp"
+
+namespace equality {
+using algebra::operator+;
+using algebra::Theorem;
+using algebra::Theorems;
+using kernel::le;
+using kernel::lt;
+namespace {
+constexpr int bits = 800, most_powers = 32;
+
+const cln::cl_RA& step() {
+  static const cln::cl_RA out = cln::cl_RA(1) / cln::ash(cln::cl_I(1), bits);
+  return out;
+}
+cln::cl_RA rounded_down(const cln::cl_RA& q) { return cln::floor1(q / step()) * step(); }
+}  // namespace
+
+Enclosures::Bounds Enclosures::shown(Expr e, const cln::cl_RA& low, const cln::cl_RA& high,
+                                     const Theorems& facts) {
+  const cln::cl_RA from = rounded_down(low), to = -rounded_down(-high);
+  return {from, to, algebra::linear(le(from, e), facts), algebra::linear(le(e, to), facts)};
+}
+Enclosures::Bounds Enclosures::of(Expr e) const {
+  if (e.op() == Op::Num) return shown(e, e.value(), e.value(), {});
+  if (const auto it = known.find(e); it != known.end()) return it->second;
+  const bool is_sum = e.op() == Op::Add;
+  if (!is_sum && e.op() != Op::Mul && e.op() != Op::Pow)
+    kernel::refuse("no bounds of " + kernel::text(e));
+  const Exprs parts = e.op() == Op::Pow ? Exprs(std::size_t(e.exponent()), e.arg(0)) : e.args();
+  Bounds out = of(parts[0]);
+  Expr so_far = parts[0];
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const Bounds next = of(parts[i]);
+    so_far = is_sum ? so_far + parts[i] : so_far * parts[i];
+    std::vector<cln::cl_RA> corners;
+    for (const auto& x : {out.low, out.high})
+      for (const auto& y : {next.low, next.high}) corners.push_back(is_sum ? x + y : x * y);
+    Theorems facts{out.above, out.below, next.above, next.below};
+    for (const Theorem& x : {out.above, out.below})
+      for (const Theorem& y : {next.above, next.below})
+        if (!is_sum) facts.push_back(algebra::times(x, y));
+    out = shown(so_far, *std::ranges::min_element(corners), *std::ranges::max_element(corners),
+                facts);
+  }
+  return out;
+}
+Theorem Enclosures::sign(Expr e, const Theorems& facts) const {
+  const Expr plain = algebra::reduced(e, facts);
+  const Bounds is = of(plain);
+  return algebra::linear(is.low > 0 ? lt(0, e) : lt(e, 0),
+                         {algebra::equation(e, plain, facts), is.above, is.below});
+}
+void Enclosures::add_root(const Theorem& is, const Theorems& sign) {
+  const Expr root = kernel::canonical(algebra::left(is).arg(0));
+  const int n = algebra::left(is).exponent();
+  const Bounds base = of(algebra::right(is));
+  const Ball near = enclosure(root, 2 * bits);
+  cln::cl_RA low = rounded_down(near.low()), high = low + step();
+  if (n % 2 == 0 && base.low < 0) kernel::refuse("an even root of what may be negative");
+  for (cln::cl_RA by = step(); cln::expt(low, n) > base.low; by = 2 * by)
+    low = n % 2 == 0 && low < by ? cln::cl_RA(0) : low - by;
+  for (cln::cl_RA by = step(); cln::expt(high, n) < base.high; by = 2 * by) high = high + by;
+  const auto by_base = [&](Expr goal) {
+    return algebra::by_powers(goal, n, sign + Theorems{is, base.above, base.below});
+  };
+  known.insert_or_assign(root, Bounds{low, high, by_base(le(low, root)), by_base(le(root, high))});
+}
+void Enclosures::add_cosine(int d, const Theorem& is) {
+  const int known_part = d > 12 ? 12 : 6;  // the next zero, cos(3 pi/d), is below its cosine
+  const Expr c = kernel::cos(kernel::pi() / d);
+  const Theorem falls =
+      algebra::cosine_falls(algebra::linear(lt(kernel::pi() / d, kernel::pi() / known_part)));
+  const Theorem cosine = algebra::part_of_pi(known_part)->cosine;
+  for (Expr part : parts_of(algebra::right(cosine)))
+    if (is_call(part, "sqrt"))
+      add_root(algebra::root_squared(algebra::not_negative(part.arg(0))),
+               {algebra::not_negative(part)});
+  const Bounds root = of(algebra::right(cosine));
+  const Theorem from = algebra::linear(lt(root.low, c), {falls, cosine, root.above});
+  std::vector<cln::cl_RA> p(std::size_t(algebra::left(is).exponent() + 1), 0);
+  for (const auto& [monomial, q] : kernel::polynomial(algebra::gap(is)))
+    p[std::size_t(kernel::degree(monomial, c))] = -q;
+  // p(c) = (c - q) m(c) + p(q) = 0, where all coefficients of m are positive in powers of c - low.
+  const auto beside = [&](const cln::cl_RA& q) {
+    std::vector<cln::cl_RA> m = p;
+    for (std::size_t i = m.size() - 1; i-- > 0;) m[i] = m[i] + q * m[i + 1];
+    const cln::cl_RA rest = m[0];
+    m.erase(m.begin());
+    Expr quotient = 0, power = 1;
+    for (std::size_t k = 0; k < m.size(); ++k) {
+      for (std::size_t i = m.size() - 1; i-- > k;) m[i] = m[i] + root.low * m[i + 1];
+      quotient = quotient + Expr(m[k]) * power;
+      power = power * (c - Expr(root.low));
+    }
+    const int sign = rest > 0 ? 1 : -1;
+    return algebra::certified(
+        rest > 0 ? le(c, q) : le(q, c),
+        {.equations = {{sign, algebra::equation((c - Expr(q)) * quotient, -rest, {is})}},
+         .products = {{cln::abs(rest)}},
+         .multipliers = {algebra::positive(quotient, {from})}});
+  };
+  const Ball near = enclosure(c, 2 * bits);
+  const cln::cl_RA low = rounded_down(near.low()), high = low + 2 * step();
+  known.insert_or_assign(c, Bounds{low, high, beside(low), beside(high)});
+}
+
+Theorem vanishes(Expr sum, const Theorems& facts, const Enclosures& bounds) {
+  bounds.of(sum);  // where that is not known, powers need not be dependent
+  Exprs powers{1, sum};
+  Theorems zeros;
+  std::optional<Theorem> dependent;
+  while (!dependent) {
+    if (powers.size() > most_powers) kernel::refuse("too many powers");
+    zeros.push_back(kernel::assume(kernel::eq(powers.back(), 0)));
+    powers.push_back(algebra::reduced(sum * powers.back(), facts));
+    dependent = algebra::combination(kernel::eq(powers.back(), 0), zeros);
+  }
+  Expr other = powers[powers.size() - 2];
+  const kernel::Certificate found = *dependent->step().certificate;
+  for (const auto& [factor, zero] : found.equations)
+    for (std::size_t i = 0; i < zeros.size(); ++i)
+      if (zeros[i].conclusion() == zero.conclusion()) other = other - factor * powers[i];
+  other = kernel::canonical(other);
+  const Theorem product = algebra::equation(sum * other, 0, facts);
+  const Theorem sign = bounds.sign(other, {});
+  const int side = sign.conclusion().arg(0) == other ? -1 : 1;
+  return algebra::certified(kernel::eq(sum, 0),
+                            {.equations = {{side, product}}, .multipliers = {sign}});
+}
+}  // namespace equality
