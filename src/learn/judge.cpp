@@ -88,7 +88,7 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
   const Texts decimal = matched(text, R"(.*\.([0-9]+)[^.]*)");
   if (are_numbers && e.symbols.empty() && e.within.empty() && !decimal.empty()) {
-    const int digits = int(decimal[1].size());
+    const int digits = int(decimal[1].size());  // less than one of the last, or half of the first
     const Expr unit = cln::expt(cln::cl_RA(10), -digits) / (digits == 1 ? 2 : 1);
     if (equality::holds({notation::call("abs", given - expected), "<", unit}) == true)
       said.feedback = "Yours is near, but rounded: an exact value is asked for.";

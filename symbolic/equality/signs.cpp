@@ -3,7 +3,7 @@
 
 namespace equality {
 namespace {
-constexpr int deepest = 8;
+constexpr int deepest = 8, few_deep = 3;
 constexpr std::size_t most_asked = 400;  // terms, of all that one question leads to
 constexpr int highest_power = 3000;
 constexpr int most_roots = 12;  // x^(1/12) is compared by its twelfth power
@@ -143,6 +143,12 @@ bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
   for (const auto& [known, strength] : assumed) {
     const cln::cl_RA ratio = sum.begin()->second / known.begin()->second;
     if (scaled(known, ratio) == sum && fits(ratio > 0 ? strength : -strength)) return true;
+    const Sum rest = sum - known;  // z - y of z - x, where y - x is known
+    if (strength * sign <= 0 || rest.size() > sum.size() || depth >= few_deep) continue;
+    ++depth;
+    const bool is_sum = has_sign(rest, sign, strictly && strength * sign == 1);
+    --depth;
+    if (is_sum) return true;
   }
   const Factors f = factors(sum);
   if (fits(product(sign_of_powers(f.powers), f.number > 0 ? 2 : -2))) return true;

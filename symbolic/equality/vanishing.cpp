@@ -1,6 +1,5 @@
-// Roots and cosines of pi/d span an algebra of finite dimension by their equations. A sum n of them
-// that is 0 as a number need not be 0 there; but then it divides 0: n q = 0, where q is not 0 as a
-// number. The powers of n are linearly dependent, and q is what is left of that over n.
+// A sum n of roots and cosines that is 0 divides 0 in the algebra of their equations: n q = 0, q
+// being no 0 as a number. The powers of n are linearly dependent: q is what that leaves over n.
 #include "equality/normal_form.hpp"
 
 namespace equality {
@@ -58,8 +57,7 @@ void Enclosures::add_root(const Theorem& is, const Theorems& sign) {
   const Expr root = kernel::canonical(algebra::left(is).arg(0));
   const int n = algebra::left(is).exponent();
   const Bounds base = of(algebra::right(is));
-  const Ball near = enclosure(root, 2 * bits);
-  cln::cl_RA low = rounded_down(near.low()), high = low + step();
+  cln::cl_RA low = rounded_down(enclosure(root, 2 * bits).low()), high = low + step();
   if (n % 2 == 0 && base.low < 0) kernel::refuse("an even root of what may be negative");
   for (cln::cl_RA by = step(); cln::expt(low, n) > base.low; by = 2 * by)
     low = n % 2 == 0 && low < by ? cln::cl_RA(0) : low - by;
@@ -96,15 +94,14 @@ void Enclosures::add_cosine(int d, const Theorem& is) {
       quotient = quotient + Expr(m[k]) * power;
       power = power * (c - Expr(root.low));
     }
-    const int sign = rest > 0 ? 1 : -1;
     return algebra::certified(
         rest > 0 ? le(c, q) : le(q, c),
-        {.equations = {{sign, algebra::equation((c - Expr(q)) * quotient, -rest, {is})}},
+        {.equations = {{rest > 0 ? 1 : -1,
+                        algebra::equation((c - Expr(q)) * quotient, -rest, {is})}},
          .products = {{cln::abs(rest)}},
          .multipliers = {algebra::positive(quotient, {from})}});
   };
-  const Ball near = enclosure(c, 2 * bits);
-  const cln::cl_RA low = rounded_down(near.low()), high = low + 2 * step();
+  const cln::cl_RA low = rounded_down(enclosure(c, 2 * bits).low()), high = low + 2 * step();
   known.insert_or_assign(c, Bounds{low, high, beside(low), beside(high)});
 }
 
