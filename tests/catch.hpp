@@ -13,7 +13,6 @@ inline auto ContainsSubstring(const std::string& text) { return Catch::Matchers:
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
-using Catch::Matchers::WithinULP;
 
 /// The message of the Error with which the act ends, or "not refused".
 template <class Error, class Act>

@@ -1,5 +1,4 @@
 // Programs of others, compiled and run where they can do nothing but compute.
-#include <cerrno>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>

@@ -1,6 +1,5 @@
 #include "course/chapter.hpp"
 
-#include <cstdlib>
 #include <memory>
 
 #include <cmark.h>

@@ -3,7 +3,7 @@
 
 namespace equality {
 namespace {
-constexpr int deepest = 8, few_deep = 3;
+constexpr int deepest = 8, few_deep = 2;
 constexpr std::size_t most_asked = 400;  // terms, of all that one question leads to
 constexpr int highest_power = 3000;
 constexpr int most_roots = 12;  // x^(1/12) is compared by its twelfth power

@@ -112,6 +112,10 @@ private:
         e = quotient(e, signed_factor(), sign.column);
       } else if (starts_factor()) {
         if (sign.kind == Kind::Number) refuse_here("an operator is missing before " + sign.text);
+        const bool is_remark = is("(") && sign.is_spaced && words[place - 1].kind == Kind::Number &&
+                               words[place + 1].kind == Kind::Number &&
+                               words[place + 2].text == ")";
+        if (is_remark) refuse_here("a remark or a factor? leave it out, or write a *");
         if (is("|")) refuse_bars(from);
         const std::size_t there = place;
         const Expr factor = power();

@@ -1,5 +1,4 @@
 // Attacks on the rules of logic, induction, definitions, domains, with a small motion of its own.
-#include <algorithm>
 #include <functional>
 
 #include "attack.hpp"
