@@ -16,8 +16,10 @@ unset key
 is(names, name) = strstrt(names, '|' . name . '|') > 0
 y(names) = is(names, strcol(1)) ? column(2) : NaN
 plot $data using 3:2 with points pt 7 ps 1 lc rgb 'black', \
-     $data using 3:(y('|stepping|naive|fast|accurate|product|')):1 \
+     $data using 3:(y('|stepping|naive|fast|accurate|')):1 \
          with labels left offset 0.8,0.3, \
-     $data using 3:(y('|tangent|closed|')):1 with labels right offset -0.8,0.3, \
+     $data using 3:(y('|product|')):1 with labels left offset 0.8,-0.6, \
+     $data using 3:(y('|tangent|')):1 with labels right offset -0.8,-0.4, \
+     $data using 3:(y('|closed|')):1 with labels right offset -0.4,0.7, \
      $data using 3:(y('|fast arrays|')):1 with labels center offset 0,0.8, \
      $data using 3:(y('|accurate arrays|exact rational|')):1 with labels center offset 0,-0.9
