@@ -95,42 +95,35 @@ cl_R chebyshev(const cl_R& x, int j) {
 /// The columns of a collision or of a whole cycle, of velocities by the roots of the masses.
 Matrix collisions(const cl_R& M_A, const cl_R& ball, bool with_A, bool with_B) {
   const cl_R scale[]{root(M_A), 1, root(ball)};
-  Matrix m(3, Vector(3));
-  for (std::size_t col = 0; col < 3; ++col) {
+  Matrix m(3, 3);
+  for (int col = 0; col < 3; ++col) {
     Trio t = start({M_A, 1, ball, 1, 0});
-    t.v[col] = 1 / scale[col];
+    t.v[std::size_t(col)] = 1 / scale[col];
     if (with_A) t.collide();
     t.N = 1;
     if (with_B) t.collide();
-    for (std::size_t row = 0; row < 3; ++row) m[row][col] = t.v[row] * scale[row];
+    for (int row = 0; row < 3; ++row) m(row, col) = t.v[std::size_t(row)] * scale[row];
   }
   return m;
 }
-Matrix rotation(const cl_R& angle, std::size_t i, std::size_t j, std::size_t size) {
-  Matrix m(size, Vector(size, exact(0)));
-  for (std::size_t k = 0; k < size; ++k) m[k][k] = exact(1);
-  m[i][i] = m[j][j] = cln::cos(exact(angle));
-  m[j][i] = cln::sin(exact(angle));
-  m[i][j] = -m[j][i];
+Matrix rotation(const cl_R& angle, int i, int j, int size) {
+  Matrix m = Matrix::Identity(size, size);
+  m(i, i) = m(j, j) = cln::cos(exact(angle));
+  m(j, i) = cln::sin(exact(angle));
+  m(i, j) = -m(j, i);
   return m;
 }
-Vector cross(const Vector& p, const Vector& q) {
-  return {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]};
-}
-Vector unit(const Vector& v) {
-  const cl_R l = root(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-  return {v[0] / l, v[1] / l, v[2] / l};
-}
+using Direction = Eigen::Matrix<cl_R, 3, 1>;
+Direction unit(const Direction& v) { return v / root(v.dot(v)); }
 /// The axis of a cycle, and the two directions that complete it, as columns.
 Matrix frame(const cl_R& alpha) {
-  Matrix m = collisions(1, alpha, true, true);
-  for (std::size_t i = 0; i < 3; ++i) m[i][i] = m[i][i] - 1;
-  Vector axis = unit(cross(m[0], m[1]));
-  if (axis[0] < 0) axis = {-axis[0], -axis[1], -axis[2]};
-  const Vector first = unit(cross({exact(0), exact(0), exact(1)}, axis));
-  const Vector second = cross(axis, first);
-  Matrix out;
-  for (std::size_t i = 0; i < 3; ++i) out.push_back({first[i], second[i], axis[i]});
+  const Matrix m = collisions(1, alpha, true, true) - Matrix::Identity(3, 3);
+  const Direction p = m.row(0), q = m.row(1);
+  Direction axis = unit(p.cross(q));
+  if (axis[0] < 0) axis = -axis;
+  const Direction first = unit(Direction(0, 0, 1).cross(axis));
+  Matrix out(3, 3);
+  out << first, axis.cross(first), axis;
   return out;
 }
 }  // namespace
@@ -161,26 +154,24 @@ Matrix matrix_function(const std::string& f, const Vector& x) {
   if (f == "lambda_2") return rotation(x[0], 2, 0, 3);
   if (f == "lambda_3") return rotation(x[0], 0, 1, 3);
   if (f == "X") {  // the cofactors of O - 1: normals of its rows
-    const Vector a{x[0] - 1, x[1], x[2]}, b{x[3], x[4] - 1, x[5]}, c{x[6], x[7], x[8] - 1};
-    const Vector p = cross(b, c), q = cross(c, a), r = cross(a, b);
-    return {{p[0], q[0], r[0]}, {p[1], q[1], r[1]}, {p[2], q[2], r[2]}};
+    const Direction a(x[0] - 1, x[1], x[2]), b(x[3], x[4] - 1, x[5]), c(x[6], x[7], x[8] - 1);
+    Matrix out(3, 3);
+    out << b.cross(c), c.cross(a), a.cross(b);
+    return out;
   }
-  if (f == "P_2") return {{1, 0}, {0, -1}};
-  if (f == "P_3") return {{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
+  if (f == "P_2") return Matrix{{1, 0}, {0, -1}};
+  if (f == "P_3") return Matrix{{1, 0, 0}, {0, 1, 0}, {0, 0, -1}};
   if (f == "Gamma") return matrix_function("mirror", {1, x[0]});
   if (f == "mirror") {
     const Matrix m = collisions(x[0], x[1], true, false);
-    return {{m[0][0], m[0][2]}, {m[2][0], m[2][2]}};
+    return Matrix{{m(0, 0), m(0, 2)}, {m(2, 0), m(2, 2)}};
   }
   if (f != "V_") return {};
-  return {{function("a", x)}, {function("b", x)}, {root(x[0]) * function("c'", x)}};
+  return Direction(function("a", x), function("b", x), root(x[0]) * function("c'", x));
 }
 cl_R function(const std::string& f, const Vector& x) {
-  if (f == "theta") return acos(matrix_function("Gamma", x)[0][0]);
-  if (f == "psi") {
-    const Matrix m = matrix_function("Lambda", x);
-    return acos((m[0][0] + m[1][1] + m[2][2] - 1) / 2);
-  }
+  if (f == "theta") return acos(matrix_function("Gamma", x)(0, 0));
+  if (f == "psi") return acos((matrix_function("Lambda", x).trace() - 1) / 2);
   if (f == "U" || f == "U_last") return chebyshev(x[0], whole(x[1]) - (f == "U" ? 0 : 1));
   if (f == "r_A") return root(x[0] / (x[0] + x[1]));
   if (f == "r_B") return root(1 / (1 + x[0] * x[1]));

@@ -3,11 +3,12 @@
 #include <string>
 #include <vector>
 
+#include <Eigen/Geometry>
 #include <cln/real.h>
 
 namespace net {
 using cln::cl_R;
-using Matrix = std::vector<std::vector<cl_R>>;
+using Matrix = Eigen::Matrix<cl_R, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 3, 3>;
 
 /// Thrown where a term has no value: 1/0, the root of a negative number, a count without speed.
 struct Undefined {};

@@ -69,19 +69,6 @@ cl_R of_function(Expr e, const std::vector<cl_R>& x) {
   if (f == "tan") return over(cln::sin(exact(x[0])), cln::cos(exact(x[0])));
   return function(f, x);
 }
-Matrix product(const Matrix& a, const Matrix& b) {
-  Matrix out(a.size(), std::vector<cl_R>(b[0].size(), exact(0)));
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < b[0].size(); ++j)
-      for (std::size_t k = 0; k < b.size(); ++k) out[i][j] = out[i][j] + a[i][k] * b[k][j];
-  return out;
-}
-Matrix transposed(const Matrix& m) {
-  Matrix out(m[0].size(), std::vector<cl_R>(m.size()));
-  for (std::size_t i = 0; i < m.size(); ++i)
-    for (std::size_t j = 0; j < m[0].size(); ++j) out[j][i] = m[i][j];
-  return out;
-}
 std::vector<cl_R> values(Expr e, const Point& point) {
   std::vector<cl_R> out;
   for (const Expr& a : e.args()) out.push_back(value(a, point));
@@ -89,45 +76,26 @@ std::vector<cl_R> values(Expr e, const Point& point) {
 }
 Matrix matrix_value(Expr e, const Point& point) {
   const auto part = [&](std::size_t i) { return matrix_value(e.arg(i), point); };
-  const std::size_t columns = std::size_t(e.cols());
   if (e.op() == Op::Matrix) {
     const std::vector<cl_R> entries = values(e, point);
-    Matrix out;
-    for (auto row = entries.begin(); row != entries.end(); row += e.cols())
-      out.emplace_back(row, row + e.cols());
-    return out;
+    return Eigen::Map<const Matrix>(entries.data(), e.rows(), e.cols());
   }
-  if (e.op() == Op::Transpose) return transposed(part(0));
+  if (e.op() == Op::Transpose) return part(0).transpose();
   if (e.op() == Op::Times) {
     Matrix out = part(0);
-    for (std::size_t i = 1; i < e.size(); ++i) out = product(out, part(i));
+    for (std::size_t i = 1; i < e.size(); ++i) out = out * part(i);
     return out;
   }
   if (e.op() != Op::MatrixPower) {
     const Matrix known = matrix_function(e.name(), values(e, point));
-    return known.empty() ? matrix_value(defined(e), point) : known;
+    return known.size() == 0 ? matrix_value(defined(e), point) : known;
   }
   const cl_R n = value(e.arg(1), point);
   if (n < 0) throw Undefined();
   const Matrix m = part(0);
-  Matrix out(columns, std::vector<cl_R>(columns, exact(0)));
-  for (std::size_t i = 0; i < columns; ++i) out[i][i] = exact(1);
-  for (int i = 0; i < n; ++i) out = product(m, out);
+  Matrix out = Matrix::Identity(e.rows(), e.cols());
+  for (int i = 0; i < n; ++i) out = m * out;
   return out;
-}
-cl_R determinant(const Matrix& m) {
-  if (m.size() == 1) return m[0][0];
-  cl_R sum = exact(0);
-  for (std::size_t j = 0; j < m.size(); ++j) {
-    Matrix minor;
-    for (std::size_t i = 1; i < m.size(); ++i) {
-      minor.emplace_back();
-      for (std::size_t k = 0; k < m.size(); ++k)
-        if (k != j) minor.back().push_back(m[i][k]);
-    }
-    sum = sum + (j % 2 == 0 ? 1 : -1) * m[0][j] * determinant(minor);
-  }
-  return sum;
 }
 int sign(const cl_R& l, const cl_R& r) {
   const cl_R d = l - r;
@@ -137,9 +105,8 @@ int sign(const cl_R& l, const cl_R& r) {
 bool same(Expr l, Expr r, const Point& point) {
   if (!kernel::is_matrix(l)) return sign(value(l, point), value(r, point)) == 0;
   const Matrix a = matrix_value(l, point), b = matrix_value(r, point);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = 0; j < a[0].size(); ++j)
-      if (sign(a[i][j], b[i][j]) != 0) return false;
+  for (int i = 0; i < a.size(); ++i)
+    if (sign(a.data()[i], b.data()[i]) != 0) return false;
   return true;
 }
 
@@ -163,11 +130,12 @@ cl_R value(Expr e, const Point& point) {
   if (op == Op::Num) return e.value();
   if (op == Op::Var) return point.at(e);
   if (op == Op::Pow) return cln::expt(value(e.arg(0), point), e.exponent());
-  if (op == Op::Det) return determinant(matrix_value(e.arg(0), point));
-  if (op == Op::Entry) {
+  if (op == Op::Det) {
     const Matrix m = matrix_value(e.arg(0), point);
-    return m[std::size_t(e.index()) / m[0].size()][std::size_t(e.index()) % m[0].size()];
+    return m.rows() == 3 ? m.topLeftCorner<3, 3>().determinant()
+                         : m.topLeftCorner<2, 2>().determinant();
   }
+  if (op == Op::Entry) return matrix_value(e.arg(0), point).data()[e.index()];
   if (op == Op::Add || op == Op::Mul) {
     cl_R out = exact(op == Op::Mul ? 1 : 0);
     for (const cl_R& x : values(e, point)) out = op == Op::Mul ? out * x : out + x;
@@ -219,23 +187,22 @@ Point random_point(const Exprs& hypotheses, Expr conclusion) {
   const bool in_plane = has("o_22") && !has("o_33");
   Matrix r = matrix_function(any_of(2) ? "P_3" : "lambda_3", {exact(0)});
   for (const char* axis : {"lambda_1", "lambda_2"})
-    r = product(r, matrix_function(axis, {in_plane ? exact(0) : between(-3, 3)}));
+    r = r * matrix_function(axis, {in_plane ? exact(0) : between(-3, 3)});
   const cl_R angle = cl_R(any_of(4)) * (any_of(4) ? between(-1, 1) : circle());
-  Matrix o = product(product(r, matrix_function("lambda_3", {angle})), transposed(r));
+  Matrix o = r * matrix_function("lambda_3", {angle}) * r.transpose();
   if (!has("r_33") && any_of(2))
-    o = product(o, in_plane ? matrix_function("lambda_1", {circle()}) : matrix_function("P_3", {}));
-  for (std::size_t i = 0; i < 9 && has("o_33"); ++i)  // that there are a frame and an angle
+    o = o * (in_plane ? matrix_function("lambda_1", {circle()}) : matrix_function("P_3", {}));
+  for (int i = 0; i < 9 && has("o_33"); ++i)  // that there are a frame and an angle
     point[kernel::real("r_" + std::to_string(i / 3 + 1) + std::to_string(i % 3 + 1))] =
-        r[i / 3][i % 3];
+        r(i / 3, i % 3);
   if (has("o_33")) point[kernel::real("phi")] = angle;
-  const std::map<char, Matrix> of{{'o', o}, {'r', r}, {'m', product(product(transposed(r), o), r)}};
+  const std::map<char, Matrix> of{{'o', o}, {'r', r}, {'m', r.transpose() * o * r}};
   cl_R last = exact(1);
   const auto drawn = [&](Expr v) -> cl_R {
     const std::string name = v.name();
     const int kind = any_of(8);
     if (v.sort() == kernel::Sort::Int) return any_of(12) - (name == "k" ? 0 : 1);
-    if (name.size() == 4 && of.count(name[0]))
-      return of.at(name[0])[std::size_t(name[2] - '1')][std::size_t(name[3] - '1')];
+    if (name.size() == 4 && of.count(name[0])) return of.at(name[0])(name[2] - '1', name[3] - '1');
     if (name == "alpha" && kind < 2)
       return function(kind == 0 ? "alpha_" : "beta_", {1 + any_of(8)});
     if (name == "alpha") return cln::exp(between(-4, 2.5));
