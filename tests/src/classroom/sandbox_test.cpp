@@ -12,7 +12,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "catch.hpp"
 #include "classroom/classroom.hpp"
 #include "host/child.hpp"
 #include "rows.hpp"

@@ -1,9 +1,7 @@
 // What is said to answers, to exercises that are not sound, and to files that are no exercises.
 #include <cmath>
 
-#include "answers/table.hpp"
 #include "classroom/classroom.hpp"
-#include "learn/exercise.hpp"
 #include "magicmass/scenes/files.hpp"
 #include "rows.hpp"
 

@@ -12,7 +12,6 @@
 #include <cln/real.h>
 
 #include "catch.hpp"
-#include "magicmass/arithmetic/functions.hpp"
 #include "magicmass/evaluators/polynomials.hpp"
 
 // A double that knows which roundings it has come through: how much each counts in it, to first

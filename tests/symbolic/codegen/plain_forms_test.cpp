@@ -1,7 +1,5 @@
 // Plain, exact and matrix forms as they are generated, against the law of one collision, applied
 // again and again in rationals; each domain at its ends, from both sides.
-#include <cmath>
-
 #include "catch.hpp"
 #include "codegen/exact.hpp"
 #include "law_of_collision.hpp"

@@ -5,7 +5,6 @@
 #include "catch.hpp"
 #include "magicmass/evaluators/terminal.hpp"
 #include "magicmass/evaluators/velocities.hpp"
-#include "magicmass/oracle/certain.hpp"
 #include "src/magicmass/numbers/families.hpp"
 
 namespace {

@@ -1,5 +1,5 @@
 // Everyday and hard mass ratios, and cycles to ask for; all from whole random numbers, so that a
-// seed gives the same rows everywhere but for libm's last bits.
+// seed gives the same rows everywhere but for libm's last bits. What the oracle answers to them.
 #pragma once
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 
 #include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/counts.hpp"
+#include "magicmass/oracle/certain.hpp"
 
 namespace magicmass::testing {
 using Random = std::mt19937_64;
@@ -88,5 +89,27 @@ inline std::string in_hex(double x) {
   char text[40];
   std::snprintf(text, sizeof text, "%a", x);
   return text;
+}
+
+inline cln::cl_I whole(std::int64_t n) { return static_cast<long long>(n); }
+/// The doubles nearest to it.
+std::vector<double> nearest_doubles(double alpha, const auto& quantity) {
+  return oracle::certain(oracle::ratio(oracle::exact(alpha)), quantity, oracle::to_double());
+}
+inline oracle::AtEnd at_end(const Counts& counts) {
+  return oracle::AtEnd({whole(counts.N_A), whole(counts.N_B)});
+}
+inline std::optional<Counts> counts_by_oracle(double alpha) {
+  const oracle::Counts counts = oracle::count_collisions(oracle::exact(alpha));
+  if (cln::integer_length(counts.N_A + counts.N_B) > 63) return std::nullopt;
+  return Counts{cln::cl_I_to_long(counts.N_A), cln::cl_I_to_long(counts.N_B)};
+}
+inline Velocities velocities_by_oracle(double alpha, std::int64_t n) {
+  const auto v = nearest_doubles(alpha, oracle::OfCycle(whole(n)));
+  return {v[0], v[1], v[2], v[3]};
+}
+inline Terminal terminal_by_oracle(double alpha, const Counts& counts) {
+  const auto v = nearest_doubles(alpha, at_end(counts));
+  return {counts, v[0], v[1], v[2], v[3]};
 }
 }  // namespace magicmass::testing

@@ -5,7 +5,6 @@
 
 #include "catch.hpp"
 #include "magicmass/numbers/until_certain.hpp"
-#include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
 #include "src/magicmass/numbers/tiers.hpp"
 

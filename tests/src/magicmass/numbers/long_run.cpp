@@ -8,7 +8,6 @@
 
 #include <cln/real.h>
 
-#include "src/magicmass/numbers/by_oracle.hpp"
 #include "src/magicmass/numbers/families.hpp"
 #include "src/magicmass/numbers/tiers.hpp"
 

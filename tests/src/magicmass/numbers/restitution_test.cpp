@@ -3,9 +3,7 @@
 #include <cln/real.h>
 
 #include "law_of_collision.hpp"
-#include "magicmass/numbers/accurate.hpp"
 #include "magicmass/numbers/fast.hpp"
-#include "magicmass/oracle/rational.hpp"
 #include "rows.hpp"
 #include "src/magicmass/numbers/families.hpp"
 

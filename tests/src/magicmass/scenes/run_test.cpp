@@ -12,19 +12,18 @@ namespace {
 /// A chain of fractions: where only_halves, with many ties.
 std::string random_chain(std::uint64_t seed, bool only_halves) {
   std::mt19937_64 random(seed);
-  const std::uint64_t below = only_halves ? 2 : 89;
-  const std::size_t bodies = 2 + random() % 4;
+  const int below = only_halves ? 2 : 89;
+  const auto draw = [&](int n) { return int(random() % std::uint64_t(n)); };
   std::vector<std::string> masses, velocities, positions;
-  std::uint64_t place = 0;
-  const auto fraction = [&](std::int64_t above) {
+  int place = 0;
+  const auto fraction = [&](int above) {
     return "'" + std::to_string(above) + "/" + std::to_string(below) + "'";
   };
-  for (std::size_t i = 0; i < bodies; ++i) {
-    place += random() % (3 * below);
-    masses.push_back(fraction(static_cast<std::int64_t>(1 + random() % (2 * below))));
-    positions.push_back(fraction(static_cast<std::int64_t>(place)));
-    velocities.push_back(fraction(static_cast<std::int64_t>(random() % (4 * below)) -
-                                  static_cast<std::int64_t>(2 * below)));
+  for (int bodies = 2 + draw(4); bodies > 0; --bodies) {
+    place += draw(3 * below);
+    masses.push_back(fraction(1 + draw(2 * below)));
+    positions.push_back(fraction(place));
+    velocities.push_back(fraction(draw(4 * below) - 2 * below));
   }
   return "kind = 'chain'\nmasses = " + list(masses) + "positions = " + list(positions) +
          "velocities = " + list(velocities) + (random() % 2 == 0 ? "left_wall = -1\n" : "") +
@@ -41,8 +40,7 @@ std::string random_cradle(std::mt19937_64& random) {
     velocities.push_back(i == 0 ? "'3/2'" : "0");
     const bool is_second = random() % 2 == 0;
     masses.push_back(i % 2 == 0 || !is_second ? "1" : "'sqrt(5)-2'");
-    const auto least = static_cast<std::uint64_t>(is_second ? 9 * L / 14 + 1 : 1);
-    const auto step = static_cast<std::int64_t>(least + random() % 9);
+    const std::int64_t step = (is_second ? 9 * L / 14 + 1 : 1) + std::int64_t(random() % 9);
     if (i % 2 == 1) L = step;
     place += step;
   }
