@@ -1,73 +1,56 @@
 // Millions of rows of accurate arrays, half everyday, half from the hard families, fixed seed:
-// nothing misrounded, no wrong count. Rows go to certified formulas on CLN's floats, and to the
+// nothing misrounded, no wrong count. Rows go to certified formulas in balls, and to the
 // oracle where these are not certain, for alpha > 2^10, and for one row in a thousand anyhow. Then
 // rational alpha up to cycle 64, all by the oracle.
-// The formulas are the paper's sums of sines and cosines, typed in, with a bound of their error.
+// The formulas are the paper's sums of sines and cosines, typed in.
 // The product's evaluators are products of other angles. nullopt: not certain, ask the oracle.
 #include <map>
 
-#include <cln/real.h>
-
+#include "balls/ball.hpp"
 #include "src/magicmass/numbers/families.hpp"
 #include "src/magicmass/numbers/tiers.hpp"
 
 namespace {
 using namespace magicmass;
 using namespace magicmass::testing;
+using balls::Ball;
 
+/// Results are as small as alpha^(3/2) against terms as large as alpha^(-1/2).
+double with_bits_for(double alpha) {
+  Ball::bits = 160 - 2 * std::min(0, std::ilogb(alpha));
+  return alpha;
+}
 /// h = psi/2 and what the four velocities share.
-class Formulas {
-public:
-  using Real = cln::cl_R;
-  /// Results are as small as alpha^(3/2) against terms as large as alpha^(-1/2).
-  explicit Formulas(double x)
-      : precision(160 - 2 * std::min(0, std::ilogb(x))),
-        alpha(cln::cl_float(oracle::exact(x), format())),
-        h(cln::atan(cln::sqrt(alpha * (alpha + 2)))),
-        V(1 / (alpha + 2)),
-        per_half(1 / cln::sin(h / 2)),
-        // Angles up to 4 pi, each within some units of 2^-precision; 1 + alpha <= 2^11.
-        error(cln::scale_float(cln::cl_float(per_half + 4096), 8 - precision)) {}
-  cln::float_format_t format() const { return cln::float_format_t(precision); }
-  Real a(const Real& n) const { return V * (1 + (alpha + 1) * cln::cos(2 * n * h)); }
-  Real b(const Real& n) const { return V * (1 - (alpha + 1) * cln::cos((2 * n + 1) * h)); }
-  Real c(const Real& n) const { return V * (1 + per_half * cln::sin((2 * n - half) * h)); }
-  Real c_prime(const Real& n) const { return V * (1 - per_half * cln::sin((2 * n + half) * h)); }
-  /// x rounded; `is_certain` is cleared where the error might change it.
-  double rounded(const Real& x, const Real& off) {
-    const double low = oracle::nearest(cln::rational(x - off));
-    is_certain = is_certain && low == oracle::nearest(cln::rational(x + off));
-    return low;
-  }
-  double rounded(const Real& x) { return rounded(x, error); }
-
-  int precision;  // first: the others are made with it
-  Real half = cln::cl_RA(1) / 2;
-  Real alpha, h, V, per_half, error;
-  bool is_certain = true;
+struct Formulas {
+  explicit Formulas(double x) : alpha(with_bits_for(x)) {}
+  Ball a(std::int64_t n) const { return V * (1 + (alpha + 1) * cos(2 * n * h)); }
+  Ball b(std::int64_t n) const { return V * (1 - (alpha + 1) * cos((2 * n + 1) * h)); }
+  Ball c(std::int64_t n) const { return V * (1 + per_half * sin((2 * n - half) * h)); }
+  Ball c_prime(std::int64_t n) const { return V * (1 - per_half * sin((2 * n + half) * h)); }
+  Ball alpha, half = cln::cl_RA(1) / 2, h = atan(sqrt(alpha * (alpha + 2)));
+  Ball V = 1 / (alpha + 2), per_half = 1 / sin(h / 2);
 };
+double rounded(const Ball& x) {
+  const auto value = balls::nearest_double(x.low(), x.high());
+  return value ? *value : throw balls::NotCertain("between two doubles");
+}
 
 /// alpha <= 2^10, 1 <= n <= N_A.
-std::optional<Velocities> velocities_by_formulas(double alpha, std::int64_t n) {
-  Formulas f(alpha);
-  const Velocities v{f.rounded(f.a(n)), f.rounded(f.b(n)), f.rounded(f.c(n)),
-                     f.rounded(f.c_prime(n))};
-  return f.is_certain ? std::optional(v) : std::nullopt;
+std::optional<Velocities> velocities_by_formulas(double alpha, std::int64_t n) try {
+  const Formulas f(alpha);
+  return Velocities{rounded(f.a(n)), rounded(f.b(n)), rounded(f.c(n)), rounded(f.c_prime(n))};
+} catch (const balls::NotCertain&) {
+  return std::nullopt;
 }
 /// alpha <= 2^10, N_A + N_B < 2^63.
-std::optional<Terminal> terminal_by_formulas(double alpha) {
-  Formulas f(alpha);
-  const Formulas::Real last = cln::pi(f.format()) / f.h;  // N = ceil(pi/h) - 1
-  const Formulas::Real off = cln::scale_float(cln::cl_float(last), 4 - f.precision);
-  const cln::cl_I most = cln::ceiling1(last - off) - 1;
-  if (cln::ceiling1(last + off) - 1 != most) return std::nullopt;
-  const std::int64_t N = cln::cl_I_to_long(most);
+std::optional<Terminal> terminal_by_formulas(double alpha) try {
+  const Formulas f(alpha);
+  const std::int64_t N = cln::cl_I_to_long(cln::numerator(ceil(Ball::pi() / f.h).low())) - 1;
   const Counts counts{N / 2 + N % 2, N / 2};
-  const Formulas::Real b = f.b(counts.N_B);
-  const Terminal t{counts, f.rounded(f.a(counts.N_A)), f.rounded(b),
-                   f.rounded(N % 2 == 1 ? f.c(counts.N_A) : f.c_prime(counts.N_B)),
-                   f.rounded(b * b, f.error * 3)};
-  return f.is_certain ? std::optional(t) : std::nullopt;
+  const Ball b = f.b(counts.N_B), c = N % 2 == 1 ? f.c(counts.N_A) : f.c_prime(counts.N_B);
+  return Terminal{counts, rounded(f.a(counts.N_A)), rounded(b), rounded(c), rounded(b * b)};
+} catch (const balls::NotCertain&) {
+  return std::nullopt;
 }
 
 constexpr double formulas_up_to = 0x1p10;
