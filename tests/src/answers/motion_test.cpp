@@ -31,6 +31,9 @@ Row asked(Answer (*command)(const Request&), const std::string& alpha, const std
   request.options = {{"alpha", alpha}, {option, value}, {"tier", "exact"}};
   return command(request).table.rows[0];
 }
+void check_fractions(const Row& row, std::size_t first, const std::vector<cl_RA>& expected) {
+  for (std::size_t i = 0; i < 4; ++i) CHECK(row.at(first + i).text == kernel::digits(expected[i]));
+}
 cl_RA value(const Polynomial& p, double x) {
   cl_RA sum = 0;
   for (std::size_t i = p.size(); i-- > 0;) sum = sum * balls::exact(x) + p[i];
@@ -84,28 +87,23 @@ TEST_CASE("tier exact is in fractions") {
     auto steps = law::equal_blocks(mass, *fraction_of(alpha_of(e)));
     while (steps.approach() > 0) steps.collide();
     const auto& [a, b, c] = steps.v;
-    const Row row = asked(answers::terminal, alpha, "restitution", e);
-    const cl_RA values[]{a, b, c, b * b};
+    const std::vector<cl_RA> values{a, b, c, b * b};
+    check_fractions(asked(answers::terminal, alpha, "restitution", e), 4, values);
     const Trio trio = Trio::equal_blocks(value_of(mass), value_of(alpha_of(e)));
     const Row near = rounded([&] { return answers::terminal(trio, steps.N); });
-    for (std::size_t i = 0; i < 4; ++i) {
-      CHECK(row[4 + i].text == kernel::digits(values[i]));
-      CHECK(near[i].text == shown(values[i]));
-    }
+    for (std::size_t i = 0; i < 4; ++i) CHECK(near[i].text == shown(values[i]));
   }
 }
 TEST_CASE("tier exact is the oracle's fractions") {
   for (const char* alpha : {"1/7", "0.1", "3", "1", "12/5001", "1/1000"}) {
     const cl_RA mass = *fraction_of(alpha_of(alpha));
     const oracle::Counts N = oracle::count_collisions(mass);
-    const auto is = [&](const Row& row, std::size_t first, const std::vector<cl_RA>& expected) {
-      for (std::size_t i = 0; i < 4; ++i)
-        CHECK(row.at(first + i).text == kernel::digits(expected[i]));
-    };
-    is(asked(answers::terminal, alpha, "restitution", "1"), 4, oracle::AtEnd(N)(mass));
+    const Row at_end = asked(answers::terminal, alpha, "restitution", "1");
+    check_fractions(at_end, 4, oracle::AtEnd(N)(mass));
     for (const cln::cl_I& n : {cln::cl_I(0), cln::cl_I(1), N.N_B, N.N_A}) {
       CAPTURE(alpha, kernel::digits(n));
-      is(asked(answers::eval, alpha, "n", kernel::digits(n)), 3, oracle::OfCycle(n)(mass));
+      const Row row = asked(answers::eval, alpha, "n", kernel::digits(n));
+      check_fractions(row, 3, oracle::OfCycle(n)(mass));
     }
   }
 }

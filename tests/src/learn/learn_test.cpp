@@ -40,12 +40,11 @@ learn::Ran fake(const Exercise&, const std::string& code, const learn::Rows& inp
 
 /// Why a file is no exercise, or else the first fault of the exercise.
 std::string complaint(const std::string& text) {
-  try {
-    const Texts faults = learn::faults(learn::read_exercise(text, "x.toml"), fake);
-    return faults.empty() ? "sound" : "faulty: " + faults[0];
-  } catch (const answers::InvalidInput& error) {
-    return std::string("refused: ") + error.what();
-  }
+  Texts faults;
+  const std::string why = refusal<answers::InvalidInput>(
+      [&] { faults = learn::faults(learn::read_exercise(text, "x.toml"), fake); });
+  if (why != "not refused") return "refused: " + why;
+  return faults.empty() ? "sound" : "faulty: " + faults[0];
 }
 
 }  // namespace

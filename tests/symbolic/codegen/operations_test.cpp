@@ -8,7 +8,6 @@
 #include <functional>
 #include <random>
 
-#include <cln/float.h>
 #include <cln/real.h>
 
 #include "catch.hpp"

@@ -4,8 +4,6 @@
 
 #include <map>
 
-#include <cln/complex.h>
-#include <cln/float.h>
 #include <cln/integer.h>
 
 #include "law_of_collision.hpp"

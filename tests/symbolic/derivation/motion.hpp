@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <Eigen/Geometry>
+#include <cln/complex.h>
 #include <cln/real.h>
 
 namespace net {

@@ -2,9 +2,6 @@
 #include <algorithm>
 #include <random>
 
-#include <cln/complex.h>
-#include <cln/float.h>
-
 #include "derivation/book.hpp"
 #include "motion.hpp"
 #include "notation/typed.hpp"

@@ -29,9 +29,8 @@ std::map<std::string, std::string> seeing(const std::vector<fs::path>& folders) 
   for (const fs::path& folder : folders)
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const std::string file = entry.path().generic_string();
-      std::ifstream in(file);
       if (file.ends_with(".cpp") || file.ends_with(".hpp"))
-        all.emplace(file, bare({std::istreambuf_iterator<char>(in), {}}));
+        all.emplace(file, bare(contents_of(file)));
     }
   std::vector<std::string> open{"kernel/"};  // ends of names as others write them
   const auto take = [&](const std::string& file) {
