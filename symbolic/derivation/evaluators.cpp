@@ -1,5 +1,5 @@
 // The forms that are evaluated: from tan(psi/4) and cot(psi/2), without cancellation or overflow.
-#include "derivation/symbols.hpp"
+#include "derivation/wedge.hpp"
 
 namespace derivation {
 namespace {
@@ -49,17 +49,36 @@ void velocities(Book& book, const Angle& a) {
   show("c", "c_product", c(n), 2 * f("plus") * f("w_sine"));
   show("c_prime", "c_prime_product", c_prime(n), -2 * f("minus") * f("w_sine"));
 }
+
+// Evaluated forms of the time and distance of a collision, from a sine and a cosine of j psi/4.
+
+Expr sine_of(Expr times) { return sin(times * (psi() / 2)); }
+
+/// (1 + alpha)/2 = sin(psi/2)/sin(psi), for both.
+void first_of_B(Book& book) {
+  const Known second({linear(lt(1, N()), {book["counting.shares"]})});
+  const Theorem twice =
+      equation(sine_of(Expr(1) + 1), 2 * sin(psi() / 2) * cos(psi() / 2), {}, {psi() / 2});
+  for (const char* id : {"when", "apart"}) {
+    const bool is_time = id == std::string("when");
+    const Theorem t = at(book["encounters." + std::string(id)], {{j, 1}});
+    const Theorem is = rewrite(equation(sine_of(1), sin(psi() / 2)), rewrite(twice, t));
+    book.show(std::string(id) + "_1", is_time ? "That of B's first is" : "and",
+              equation(left(is), (is_time ? L / V : L) * (rational(1, 2) * (1 + alpha)),
+                       {is, book["rotation.cos_half_psi"]}));
+  }
+}
 }  // namespace
 
 Angle evaluated_angle(const Book& book) {
-  const Expr T = of_alpha("t"), W = of_alpha("w"), q = psi() / 4;
+  const Expr T = of_alpha("t"), T_per_alpha = of_alpha("w"), q = psi() / 4;
   const Theorem t = book["evaluators.def_t"], quarters = book["power.quarter"];
   const Theorem w = rewrite(book["evaluators.def_above"], book["evaluators.def_w"]);
   const Theorem tangent = cancel(eq(T, sin(q) / cos(q)), {positive(cos(q))}, {t, w, quarters});
   return {linear(eq(of_alpha("half_h"), q), {book["evaluators.psi"]}),
           tangent,
-          linear(le(T, W), {t, times(assume(le(alpha, 1)), positive(w))}),
-          {equation(W, T / alpha, {t}), tangent, part(quarters, 1), book["power.V_CM"]}};
+          linear(le(T, T_per_alpha), {t, times(assume(le(alpha, 1)), positive(w))}),
+          {equation(T_per_alpha, T / alpha, {t}), tangent, part(quarters, 1), book["power.V_CM"]}};
 }
 void evaluators(Book& book) {
   book.chapter("evaluators", "Forms for evaluation", {alpha_positive, n_from_0});
@@ -102,5 +121,227 @@ void ratio_forms(Book& book) {
         kind + "_by_tangent", "the same is",
         equation(fun(name, {k}), 2 * power(f("tangent"), 2) / below, rules + Theorems{ratio}));
   }
+}
+
+// Evaluated forms of the terminal velocities and counts.
+void end_forms(Book& book) {
+  book.chapter("evaluators_end", "Forms for evaluation: terminal velocities",
+               {alpha_positive, V_positive});
+  const Angle a = evaluated_angle(book);
+  const Names f{book, {alpha, V}, {alpha_positive, V_positive}};
+  const Theorem h = book.define("h", {alpha}, 2 * of_alpha("half_h"), {alpha_positive}, "With");
+  const Theorem psi_is = linear(eq(psi(), 2 * of_alpha("h")), {h, a.quarter});
+  const Theorem h_is = linear(eq(of_alpha("h"), psi() / 2), {psi_is});
+  know(linear(lt(0, of_alpha("h")), {psi_is}));
+  const Theorem quotient = equation(pi() / psi(), pi() / (2 * of_alpha("h")), {h_is});
+  for (const auto& [name, shift] : {std::pair{"N_A", rational(1, 2)}, {"N_B", Expr(1)}})
+    book.show(name, name == std::string("N_A") ? "the counts are" : "and",
+              restate(eq(f(name), ceil(pi() / (2 * of_alpha("h")) - shift)),
+                      rewrite(quotient, book["counting." + std::string(name)])));
+
+  const Expr angle = N_A() * psi() / 2, r = pi() / 2 - angle;
+  const Theorem def_rest = f.name("rest", sqrt(power(pi() / 2 - of_alpha("h") * N_A(), 2)),
+                                  "What is left of a quarter turn:");
+  const Theorem rest_is = restate(eq(f("rest"), sqrt(power(r, 2))), rewrite(h_is, def_rest));
+  const Theorem def_sine = f.name("rest_sine", sin(f("rest")));
+  const Theorem def_cosine = f.name("rest_cosine", cos(f("rest")));
+  const Theorems of_name{f.name("t_cosine", of_alpha("t") * f("rest_cosine")),
+                         f.name("w_cosine", of_alpha("w") * f("rest_cosine")),
+                         f.name("t_plus", f("t_cosine") + f("rest_sine")),
+                         f.name("t_minus", f("t_cosine") - f("rest_sine")),
+                         f.name("w_plus", f("w_cosine") + f("rest_sine")),
+                         f.name("b_form", 2 * f("w_plus") * f("t_cosine"))};
+  const auto size_of_rest = [&](Expr value, const Theorem& sign) {
+    return chain(rest_is, root_of(equation(power(value, 2), power(r, 2)), sign));
+  };
+
+  // Q_n last: r > 0; P_n last: r <= 0.
+  const auto in_case = [&](bool Q_last) {
+    const Expr z = 2 * pi() / psi(), count = Q_last ? 2 * N_A() : 2 * N_A() - 1;
+    return given(eq(N(), count), [&](const Theorem& N_is) {
+      const Theorem end =
+          at(book[Q_last ? "terminal.after_Q" : "terminal.after_P"], {{n, N_A()}}, {N_is});
+      const Theorem bound =
+          linear(Q_last ? lt(0, z - 2 * N_A()) : le(0, 2 * N_A() - z), {N_is, book["counting.N"]});
+      const Expr value_is = Q_last ? r : -r;
+      const Theorem sign = linear(le(0, value_is), {times(bound, psi())});
+      const Theorem size = size_of_rest(value_is, sign);
+      const Exprs quarter_turn{pi() / 2, angle};
+      const Theorem sine = equation(f("rest_sine"), Q_last ? cos(angle) : -cos(angle),
+                                    {rewrite(size, def_sine)}, quarter_turn);
+      const Theorem cosine =
+          equation(f("rest_cosine"), sin(angle), {rewrite(size, def_cosine)}, quarter_turn);
+      const auto value = [&](std::size_t i, const std::string& id, Expr index, Expr goal) {
+        const Theorem is = part(end, i);
+        const Theorem form = at(book["power." + id], {{n, index}});
+        return equation(left(is), V * goal, Theorems{is, form, sine, cosine} + of_name + a.rules,
+                        {angle, psi() / 4});
+      };
+      return both({value(2, "a_product", N_A(), -f("t_minus") * f("t_plus")),
+                   value(3, "b_product", Q_last ? N_A() : N_A() - 1, f("b_form")),
+                   value(4, Q_last ? "c_prime_product" : "c_product", N_A(),
+                         2 * f("t_minus") * f("w_cosine"))});
+    });
+  };
+  const Theorem Q = in_case(true), P = in_case(false);
+  const Theorem terminal =
+      book.show("terminal", "The terminal velocities are, whichever collision is the last,",
+                tautology(right(Q), {Q, P, book["terminal.last"]}));
+  const Expr V_lead = 2 * V_CM(), next = psi() / 4 - f("rest");
+  book.show("rest", "As products, with what is left by psi,", rest_is);
+  const auto as_product = [&](std::size_t i, const std::string& name, Expr value) {
+    const Theorem is = part(terminal, i);
+    book.show(name, "and",
+              equation(left(is), value, Theorems{is, def_sine, def_cosine} + of_name + a.rules,
+                       {psi() / 4, f("rest")}));
+  };
+  as_product(0, "a_product", -V_lead * (1 + alpha) * sin(next) * sin(psi() / 4 + f("rest")));
+  as_product(1, "b_product", V_lead * (1 + alpha) * cos(f("rest")) * cos(psi() / 2 - f("rest")));
+  as_product(2, "c_product", V_lead * cos(f("rest")) * sin(next) / sin(psi() / 4));
+  f.name("rho", power(f("b_t") / V, 2), "and B has of the energy the fraction");
+
+  // |r| <= h/2, so sin|r| <= tan(h/2) cos(r).
+  const Expr half_h = of_alpha("h") / 2, z = pi() / psi(), half = rational(1, 2), q = psi() / 4;
+  const Theorems count{book["counting.N_A"], psi_is};
+  const Theorem r_up = scaled(le(r, half_h), le(z, N_A() + half), psi(), count);
+  const Theorem r_down = scaled(le(-r, half_h), le(N_A(), z + half), psi(), count);
+  const Expr bounds_of_rest = logic_and({le(0, f("rest")), le(f("rest"), half_h)});
+  const auto with_sign = [&](Expr sign, Expr value_is) {
+    return given(sign, [&](const Theorem& t) {
+      const Theorem is = size_of_rest(value_is, linear(le(0, value_is), {t}));
+      return linear(bounds_of_rest, {is, t, r_up, r_down});
+    });
+  };
+  const Theorem bounds =
+      book.show("rest_bounds", "where what is left is half a step at most:",
+                follows(bounds_of_rest, {with_sign(le(0, r), r), with_sign(lt(r, 0), -r)}));
+  const Expr gap_angle = q - f("rest");
+  const Theorem difference =
+      equation(sin(gap_angle), sin(q) * f("rest_cosine") - cos(q) * f("rest_sine"),
+               {turned(def_sine), turned(def_cosine)}, {q, f("rest")});
+  book.show("t_cosine_at_most", "For a ball that is not heavier than a block",
+            linear(le(f("t_cosine"), f("w_cosine")),
+                   {of_name[0], of_name[1], times(a.t_small, assume(le(0, f("rest_cosine"))))}));
+  book.show("sine_at_most", "and so",
+            scaled(le(f("rest_sine"), f("t_cosine")),
+                   le(cos(q) * f("rest_sine"), cos(q) * f("t_cosine")), 1 / cos(q),
+                   {difference, sine_not_negative(gap_angle, {bounds, psi_is}),
+                    equation(cos(q) * f("t_cosine"), sin(q) * f("rest_cosine"),
+                             {of_name[0], a.tangent})}));
+}
+
+// A ball that is not lighter than a block has one collision with each: rational velocities.
+void heavy(Book& book) {
+  const Names names{book, {alpha}, {alpha_positive}};
+  book.chapter("heavy", "A heavy ball", {le(1, alpha), V_positive});
+  const Theorem is_heavy = assume(le(1, alpha)), mass = linear(alpha_positive, {is_heavy});
+  const Theorem alpha_1 = book["ratios.alpha_1"], beta_below = at(book["ratios.order"], {{k, 1}});
+  const auto once = [&](const char* id, const Theorems& facts) {
+    const Theorem t = cut(mass, book[id]);  // N = 1 if and only if the first ratio is <= alpha
+    return tautology(left(t), {t, linear(right(t), facts + Theorems{alpha_1})});
+  };
+  const Theorem counts =
+      both({book.show("N_A", "Both blocks have one collision each, A", once("ratios.N_A_once", {})),
+            book.show("N_B", "and B:", once("ratios.N_B_once", {beta_below}))});
+  const Theorem sum = names.name("masses", 1 + alpha, "With");
+  know(positive(sum));
+  const Theorem part_of = names.name("per_mass", 1 / of_alpha("masses"));
+  const Theorem share = names.name("share", alpha * of_alpha("per_mass"));
+  const Theorem less = names.name("lead", 1 - alpha);
+  const Expr i = of_alpha("per_mass"), f = of_alpha("share"), D = of_alpha("lead");
+  Theorems steps{book["cycle.start_vector"]};
+  for (const char* id : {"cycle.P", "cycle.Q"})
+    steps = steps + parts({rewrite(equation(Expr(1) - 1, 0), at(book[id], {{n, 1}}))});
+  const Theorems rules{share, less, rewrite(sum, part_of)};
+  const auto show = [&](const std::string& name, Expr velocity, Expr form) {
+    return book.show(name, name == "a" ? "the first velocities are" : "and",
+                     equation(velocity, V * form, steps + rules));
+  };
+  const Theorems after{show("a", a(1), D * i), show("b", b(1), 4 * f * i), show("c", c(1), 2 * i),
+                       show("c_prime", c_prime(1), -2 * D * power(i, 2))};
+  const Theorem N_is = linear(eq(N(), 2 * Expr(1)), {cut(mass, book["counting.shares"]), counts});
+  const Theorem end = cut(mass, cut(N_is, at(book["terminal.after_Q"], {{n, 1}}, {N_is})));
+  for (const auto& [name, which, velocity] :
+       {std::tuple{"a_t", 2U, 0U}, std::tuple{"b_t", 3U, 1U}, std::tuple{"c_t", 4U, 3U}})
+    book.show(name, which == 2U ? "which are the terminal ones:" : "and",
+              chain(part(end, which), cut(mass, after[velocity])));
+}
+
+void collision_forms(Book& book) {
+  book.chapter("evaluators_collision", "Forms for evaluation: a collision",
+               {alpha_positive, V_positive, lt(0, L), le(0, j)});
+  const Angle a = evaluated_angle(book);
+  first_of_B(book);
+
+  const Expr T = of_alpha("t"), q = of_alpha("half_h"), quarter = psi() / 4;
+  const Names of_j{book, {alpha, j}, {alpha_positive, le(0, j)}};
+  const Theorem phase_is = rewrite(a.quarter, of_j.name("half_phase", q * j, "With"));
+  const Expr angle = right(phase_is);
+  Theorems parts{a.tangent};
+  const auto name = [&](const std::string& symbol, Expr value) {
+    parts.push_back(rewrite(phase_is, of_j.name(symbol, value)));
+    return of_j(symbol);
+  };
+  const Expr S = name("half_sine", sin(of_j("half_phase")));
+  const Expr tS = name("t_half_sine", T * S);
+  const Expr cosine = name("next_cosine", cos(of_j("half_phase")) - tS);
+  const Expr C = name("half_cosine", cosine + tS);
+  const Expr sine = name("next_sine", S + T * C);
+
+  // cos(psi/4) next_cosine = cos(next) > 0 where next = (j + 1) psi/4 < pi: it is below pi/2, then.
+  const Expr next = angle + quarter;
+  const Theorem c = positive(cos(quarter));
+  const Theorem is_positive = assume(lt(0, cosine));
+  const Theorem is_near = assume(le(of_j("half_phase"), pi() - 2 * q));
+  const Theorem near = linear(le(next, pi() - quarter), {is_near, phase_is, a.quarter});
+  const auto times_c = [&](Expr l, Expr r) { return equation(l, r, parts, {angle, quarter}); };
+  const Theorem next_cosine = times_c(cos(next), cos(quarter) * cosine);
+  const Theorem falls = cosine_falls(assume(le(pi() / 2, next)), {near});
+  const Theorem below = otherwise(lt(next, pi() / 2), {falls, next_cosine, times(c, is_positive)});
+  const Theorem room = times(linear(lt(0, 2 * pi() - (j + 1) * psi()), {below}), 1 / psi());
+  const Theorem takes_place =
+      book.show("takes_place", "Collision j takes place where that is positive:",
+                linear(lt(j, N()), {room, book["counting.N"]}));
+
+  const Theorem S_from_0 = linear(le(0, S), parts + Theorems{sine_not_negative(angle, {near})});
+  const Theorem C_positive = linear(lt(0, C), parts + Theorems{is_positive, times(S_from_0, T)});
+  const Theorem sine_positive = linear(lt(0, sine), {parts.back(), S_from_0, times(C_positive, T)});
+  book.show("sine_positive", "and so is", sine_positive);
+  const Known divisors({sine_positive, is_positive, takes_place});
+  const Names in_time{
+      book, {alpha, j}, {alpha_positive, le(0, j), lt(0, cosine), is_near.conclusion()}};
+  const Theorem per_next = in_time.name("per_next", 1 / cosine);
+  const Theorem ratio = in_time.name("sine_ratio", S / sine);
+  const Theorem t_ratio = in_time.name("t_ratio", T / sine);
+  const Theorem of_time = in_time.name("time_ratio", (1 + of_alpha("z")) * of_j("sine_ratio"));
+  const Theorem more = linear(lt(0, sine - S), {parts.back(), times(C_positive, T)});
+  book.show("ratio_at_most", "where",
+            linear(le(of_j("sine_ratio"), 1), {ratio, times(more, 1 / sine)}));
+  // cos(psi/4)^2 (1 + t^2) = 1
+  const Theorem square =
+      equation(power(cos(quarter), 2) * of_alpha("z"), 1 - power(cos(quarter), 2),
+               {turned(book["evaluators.t_squared"]), a.tangent}, {quarter});
+  const Theorem after = times_c(sine_of(j + 1), 2 * power(cos(quarter), 2) * sine * cosine);
+  const Theorem before = times_c(sine_of(j), 2 * S * C);
+  const Theorem step = times_c(sin(psi() / 2), 2 * power(cos(quarter), 2) * T);
+  const auto show = [&](const std::string& id, const char* words, const Theorem& above, Expr form) {
+    const Theorem t = cut(takes_place, cut(linear(le(0, 1)), book["encounters." + id]));
+    const Theorem is = rewrite(above, rewrite(after, t));
+    book.show(id, words, equation(left(is), form, {is, square, per_next, ratio, of_time, t_ratio}));
+  };
+  show("when", "In these terms", before, L / V * (of_j("time_ratio") * C * of_j("per_next")));
+  show("apart", "and", step, L * (of_j("t_ratio") * of_j("per_next")));
+
+  // From the second collision of A on, sin(angle) >= sin(psi/2) = t (1 + cos(psi/2)).
+  const Expr middle = angle / 2 + quarter, off = angle / 2 - quarter;
+  const Theorem rises =
+      equation(sin(angle), sin(psi() / 2) + 2 * cos(middle) * sin(off), {}, {middle, off});
+  const Theorem product =
+      times(linear(le(0, cos(middle)), {cosine_falls(linear(le(middle, pi() / 2), {near}))}),
+            sine_not_negative(off, {times(assume(le(2, j)), psi()), near}));
+  const Theorem double_t = times_c(sin(psi() / 2), T + T * cos(psi() / 2));
+  book.show("t_at_most", "where from the second collision of A on",
+            linear(le(T, S),
+                   parts + Theorems{rises, product, double_t, times(positive(cos(psi() / 2)), T)}));
 }
 }  // namespace derivation

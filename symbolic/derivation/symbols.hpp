@@ -114,7 +114,7 @@ void at_threshold(Book& book, const Kind& kind, const std::vector<Velocity>& vel
 /// 0 < pi/d and pi/d < pi/2 for a denominator d that `facts` say to be above 2.
 Theorems range_of(Expr d, const Theorems& facts = {});
 
-// The chapters, one file each.
+// The chapters.
 using WriteChapter = void(Book& book);
 WriteChapter contact, cycle, cycle_matrix, rotation, powers, counting, multiples, table,
     constraints, ratios, magic, deficient, terminal, orthogonal, minima, small_alpha, evaluators,
