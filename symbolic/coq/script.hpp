@@ -70,11 +70,10 @@ private:
   std::string rewritten(const Theorem& t, const Context& c);
   std::string induction(const Theorem& t, const Context& c);
   std::string applied(const Theorem& premise, const Context& c, const kernel::Substitution& s = {});
-  // tautology.cpp
   std::string tautology(const Theorem& t, const Context& c);
-  // arithmetic.cpp
+  // equal.cpp
   std::string arithmetic(const Theorem& t, const Context& c);
-  // equal.cpp: proofs of l = r and f <-> g, which have one canonical form
+  // Proofs of l = r and f <-> g, which have one canonical form
   /// A lemma about e for all values of its variables and loose indices, applied to those here.
   std::string shared(const std::string& kind, Expr e, const Names& bound,
                      const std::function<std::string(const Names&)>& statement,
@@ -85,7 +84,7 @@ private:
   std::string same(Expr f, Expr g, const Names& bound);
   std::string same_entries(Expr f, const Names& bound);
   Core core(const Abstraction& a, const Names& bound);
-  // definitions.cpp
+  // terms.cpp
   void define_all(Expr e);
   std::string definition(const Theorem& t);
   std::string recursion(const Step& s);

@@ -30,17 +30,7 @@ std::string latex_name(const std::string& head, const std::string& index);
 std::string mathml_name(const std::string& head, const std::string& index);
 
 /// How tightly a piece holds together, loosest first.
-enum Level {
-  Quantified,
-  Implication,
-  Disjunction,
-  Conjunction,
-  Relation,
-  Sum,
-  Product,
-  Power,
-  Atom
-};
+enum Level { Quantified, Implication, Or, And, Relation, Sum, Product, Power, Atom };
 
 struct Piece {
   std::string text;  // without its minus sign
@@ -225,18 +215,16 @@ private:
     return matrix(rows);
   }
   Piece statement(Expr e) const {
-    static const std::map<Op, std::pair<const char*, Level>> between{
-        {Op::Eq, {" = ", Relation}},
-        {Op::Lt, {" < ", Relation}},
-        {Op::Le, {" <= ", Relation}},
-        {Op::And, {" and ", Conjunction}},
-        {Op::Or, {" or ", Disjunction}},
-        {Op::Imp, {" implies ", Implication}},
-        {Op::Iff, {" if and only if ", Implication}}};
-    if (const auto found = between.find(e.op()); found != between.end()) {
-      const auto [word, level] = found->second;
-      return {joined(e, word, level + 1), level};
-    }
+    static const std::vector<std::tuple<Op, const char*, Level>> infix{
+        {Op::Eq, " = ", Relation},
+        {Op::Lt, " < ", Relation},
+        {Op::Le, " <= ", Relation},
+        {Op::And, " and ", And},
+        {Op::Or, " or ", Or},
+        {Op::Imp, " implies ", Implication},
+        {Op::Iff, " if and only if ", Implication}};
+    for (const auto& [op, word, level] : infix)
+      if (op == e.op()) return {joined(e, word, level + 1), level};
     if (e.op() == Op::Not) {
       if (e.arg(0).op() == Op::Eq) return {joined(e.arg(0), " != ", Sum), Relation};
       return {word("not ") + within(Relation, e.arg(0)), Relation};
