@@ -45,6 +45,20 @@ protected:
     }
     words = all;
   }
+  // 6 (3 + 3), 2V (1.998V), but not 3(4 + 1), 2 (a + b).
+  bool is_remark() const {
+    const Token& before = words[place - 1];
+    const bool is_value = before.kind == Kind::Number || before.text == "V";
+    std::size_t end = place;
+    for (int depth = 0; is_value && is("(") && now().is_spaced; ++end) {
+      const std::string& word = words[end].text;
+      depth += word == "(" ? 1 : word == ")" ? -1 : 0;
+      if (depth == 0) return true;
+      const bool is_number = words[end].kind == Kind::Number || word == "pi" || word == before.text;
+      if (!is_number && (words[end].kind != Kind::Sign || word == "," || word == ";")) return false;
+    }
+    return false;
+  }
   // 1/2 M_1, L/V sin(...) and a/(b)^2 (c) have one usual reading; 1/2(1+alpha) and a/b c have two.
   void read_after_slash(std::size_t from, std::size_t slash, std::size_t at) {
     const bool numbers = slash == from + 1 && at == slash + 2 && words[from].kind == Kind::Number &&

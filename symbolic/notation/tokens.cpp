@@ -275,6 +275,7 @@ private:
     if (word.starts_with("var") && is_greek_name(word.substr(3))) word.erase(0, 3);
     if (word == "dfrac" || word == "tfrac" || word == "cfrac") word = "frac";
     if (word == "frac" || word == "sqrt") return add(Kind::Command, word, column);
+    if (word == "over") return add(Kind::Sign, word, column);
     if (word == "begin" || word == "end") return bracket(word, column);
     if (is_function(word) || is_greek_name(word)) return indexed_name(word, column);
     if (const auto it = signs.find(word); it != signs.end())

@@ -112,10 +112,7 @@ private:
         e = quotient(e, signed_factor(), sign.column);
       } else if (starts_factor()) {
         if (sign.kind == Kind::Number) refuse_here("an operator is missing before " + sign.text);
-        const bool is_remark = is("(") && sign.is_spaced && words[place - 1].kind == Kind::Number &&
-                               words[place + 1].kind == Kind::Number &&
-                               words[place + 2].text == ")";
-        if (is_remark) refuse_here("a remark or a factor? leave it out, or write a *");
+        if (is_remark()) refuse_here("a remark or a factor? leave it out, or write a *");
         if (is("|")) refuse_bars(from);
         const std::size_t there = place;
         const Expr factor = power();
@@ -167,7 +164,8 @@ private:
   }
   Expr inside(const Token& opened) {
     const int outer = std::exchange(bars, 0);
-    const Expr e = opened.text == "[" ? square(opened) : expression();
+    Expr e = opened.text == "[" ? square(opened) : expression();
+    if (opened.text == "{" && takes("over")) e = quotient(e, expression(), opened.column);
     bars = outer;
     close(opened.text == "[" ? "]" : opened.text == "(" ? ")" : "}", opened.column);
     return e;
@@ -228,18 +226,20 @@ private:
       note(word + " is read as one name; a product is written " + product);
     return symbol(word);
   }
-  Expr function(const Token& token) {
-    const std::size_t column = now().column;
+  Expr function(Token token) {
+    const std::size_t column = now().column, from = place - 1;
     Expr exponent;
     if (takes("^")) {  // sin^2(x)
       exponent = signed_factor();
       const auto value = rational_value(exponent);
       const std::string inverse = "a" + token.text;
-      if (!value || *value < 1 || cln::denominator(*value) != 1)
-        refuse_at(column,
-                  token.text + "^-1 has two readings: write " +
-                      (is_function(inverse) ? inverse + "(x) for the inverse function, " : "") +
-                      "1/" + token.text + "(x) for the quotient");
+      if (value && *value == -1 && is_function(inverse)) {
+        note(typed(from, place) + " is read as " + inverse);
+        token.text = token.quoted = inverse;
+        exponent = {};
+      } else if (!value || *value < 1 || cln::denominator(*value) != 1) {
+        refuse_at(column, "write (" + token.text + "(x))" + typed(from + 1, place));
+      }
     }
     const Expr value = token.text == "root"   ? root_call(token)
                        : has_base(token.text) ? logarithm_to_base(token)
