@@ -126,35 +126,46 @@ char right_choice(const Exercise& e) {
   return letters[0];
 }
 
-/// Letters and digits alone, small ones.
-std::string bare(std::string text) {
-  std::erase_if(text, [](unsigned char c) { return std::ispunct(c) || std::isspace(c); });
+/// In small letters, with a blank before each and one at the end.
+std::string words_of(std::string text) {
   for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
-  return text;
+  return replaced(" " + text + " ", R"([^\w\x80-\xff]+)", [](const Texts&) { return " "; });
 }
 
 Judgement judge_choice(const Exercise& e, const std::string& text) {
   const Texts part =  // (a), b., c) words, a – words
       matched(text, R"([(["']? *([A-Za-z]) *(?:(?:[).,:;\]"'-]|–|—) *(.*))?)");
-  const std::string words = bare(part.empty() ? text : part[2]);
-  const char said = part.empty() ? '?' : char(part[1][0] | 0x20);
-  char letter = words.empty() ? said : '?';
-  int fits = 0;
-  for (std::size_t i = 0; i < e.choices.size(); ++i) {
-    const std::string choice = bare(e.choices[i]);
-    const bool is_part = words.size() > 3 && choice.find(words) != choice.npos;
-    const char own = char('a' + i);
-    if (said == own ? choice.starts_with(words) || is_part
-                    : part.empty() && (words == choice || (is_part && ++fits < 2)))
-      letter = own;
+  const std::string words = words_of(part.empty() ? text : part[2]);
+  std::string letters, listed, fits;  // all; those whose choices have these words
+  Texts meant;
+  for (const std::string& choice : e.choices) {
+    const char own = char('a' + letters.size());
+    letters += own;
+    listed += (own == 'a' ? "" : letters.size() == e.choices.size() ? " or " : ", ");
+    listed += own;
+    if (words == " " || words_of(choice).find(words) == words.npos) continue;
+    fits += own;
+    meant.push_back(std::string(1, own) + ") \"" + choice + "\"");
   }
-  const char last = char('a' + e.choices.size() - 1);
-  if (letter == '?' && said >= 'a' && said <= last)
-    kernel::refuse(std::string(1, said) + ") is \"" + e.choices[std::size_t(said - 'a')] +
-                   "\"; which is meant, the letter or the words?");
-  if (letter < 'a' || letter > last || fits > 1)
-    kernel::refuse("one letter from a to " + std::string(1, last) + " is expected, got \"" +
-                   answers::shown_text(text) + "\"");
+  char letter = part.empty() ? '?' : char(part[1][0] | 0x20);
+  if (const std::size_t at = letters.find(letter); at != letters.npos) {
+    const bool are_two = !matched(words, " (or )?[a-z] ").empty();  // a, or b
+    const bool is_reason = fits.empty() && letter == part[1][0];    // a, because...
+    if (words != " " && (are_two || (fits.find(letter) == fits.npos && !is_reason)))
+      kernel::refuse(std::string(1, letter) + ") is \"" + e.choices[at] +
+                     "\"; which is meant, the letter or the words?");
+  } else if (!fits.empty()) {
+    letter = fits[0];
+    const std::string& choice = e.choices[std::size_t(letter - 'a')];
+    const bool is_half = words_of(choice) != words && words.size() > 5 &&  // but not of yes or no
+                         words_of(choice.substr(0, choice.find(','))) == words;
+    if (fits.size() > 1 || !words_of(choice).starts_with(words) ||
+        (is_half && letter != right_choice(e)))  // that much may be true
+      kernel::refuse("is " + answers::joined(meant, " or ") + " meant?");
+  } else {
+    return {Mark::unread,
+            "Answer with " + listed + " (you typed \"" + answers::shown_text(text) + "\")."};
+  }
   if (letter == right_choice(e)) return {Mark::right, happens};
   const auto was_given = [&](const std::string& one) { return one == std::string(1, letter); };
   return mistake(e, was_given, "This is not what happens.");
