@@ -104,9 +104,10 @@ Answer make(const Request& request) {
   const std::string& path = request.words[1];
   if (std::filesystem::exists(path))
     throw InvalidInput("learn new: " + answers::shown_text(path) + " is there already");
-  std::ofstream file(path);
-  if (!(file << host::embedded().at(request.has("kind") ? "new_code.toml" : "new_exercise.toml")
-             << std::flush))
+  auto text = host::embedded().at(request.has("kind") ? "new_code.toml" : "new_exercise.toml");
+  const std::string name = std::filesystem::path(path).stem();
+  learn::replace_all(text, "my_exercise", learn::replaced(name, "\\W", [](auto&) { return "_"; }));
+  if (!(std::ofstream(path) << text << std::flush))
     throw InvalidInput("learn new: cannot write " + answers::shown_text(path));
   return {{}, path + ": edit it, then run: magicmass learn test " + path + "\n"};
 }

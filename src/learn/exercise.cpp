@@ -47,6 +47,8 @@ struct Reader {
     to = node.as_string()->get();
     while (to.ends_with('\n')) to.pop_back();
     for (const auto& [name, value] : variant) replace_all(to, "{" + name + "}", value);
+    const Texts open = matched(variant.empty() ? "" : to, R"([\s\S]*\{([A-Za-z]\w*)\}[\s\S]*)");
+    if (!open.empty()) refuse(node, key + ": no variant has {" + open[1] + "}");
   }
   template <class Item>
   void read(const std::string& key, const toml::node& node, std::vector<Item>& to) const {
@@ -97,17 +99,15 @@ struct Reader {
     const auto need = [&](bool fine, const std::string& what) {
       if (!fine) refuse(file, what);
     };
-    for (const char* key : {"id", "title", "chapter", "kind", "prompt"})
-      need(file.contains(key), std::string(key) + " is missing");
+    need(e.kind != "code" || e.variants.empty(), "variants: not of code, which has cases");
+    std::string keys = "id title chapter kind prompt";
+    if (e.kind == "code") keys += " starter driver solution_code inputs cases outputs words within";
+    for (const std::string& key : split(keys, ' ')) need(file.contains(key), key + " is missing");
     need(!matched(e.id, "[A-Za-z0-9_]+").empty(),
          "id: allowed: letters, digits and _, since answers are in files of that name");
     need(e.kind == "symbolic" || e.kind == "predict" || e.kind == "derivation" || e.kind == "code",
          "kind: allowed: symbolic, predict, derivation, code");
     if (e.kind == "code") {
-      need(e.variants.empty(), "variants: not of code, which has cases");
-      for (const char* key :
-           {"starter", "driver", "solution_code", "inputs", "cases", "outputs", "words", "within"})
-        need(file.contains(key), std::string(key) + " is missing");
       need(e.inputs.size() <= 16 && e.outputs.size() <= 16, "inputs and outputs: at most 16");
       need(e.words.size() == e.outputs.size(), "words: one text for each of the outputs");
       for (const Texts& one : e.cases)
@@ -134,23 +134,23 @@ struct Reader {
 Exercise read_exercise(std::string_view text, const std::string& source, std::size_t variant) {
   const toml::table file = magicmass::scenes::table_of(
       text, source, "an exercise in TOML, lines like kind = \"symbolic\"");
-  Reader reader{source};
+  Reader in{source};
   Exercise e;
   e.source = source;
   if (const toml::node* node = file.get("variants")) {
-    e.variants = reader.variants(*node, text);
-    reader.variant = e.variants[variant % e.variants.size()];
+    e.variants = in.variants(*node, text);
+    in.variant = e.variants[variant % e.variants.size()];
   }
-  reader.read_keys(file, {"variants"}, "", e);
-  reader.check(file, e);
+  in.read_keys(file, {"variants"}, "", e);
+  in.check(file, e);
+  const toml::node& at = file.contains("misconceptions") ? *file.get("misconceptions") : file;
   for (Misconception& m : e.misconceptions) {
     if (!m.replace.empty()) m.answers.push_back(e.solution_code);
     for (const Texts& edit : m.replace) {
       std::string& code = m.answers.back();
-      if (edit.size() != 2 || edit[0].empty() || code.find(edit[0]) == code.npos)
-        reader.refuse(*file.get("misconceptions"),
-                      "replace: what is in solution_code, and by what, got " +
-                          answers::shown_text(answers::joined(edit), 80));
+      if (edit.size() != 2) in.refuse(at, "replace: two texts are expected, what and by what");
+      if (edit[0].empty() || code.find(edit[0]) == code.npos)
+        in.refuse(at, "replace: \"" + answers::shown_text(edit[0]) + "\" is not in solution_code");
       replace_all(code, edit[0], edit[1]);
     }
   }
