@@ -31,9 +31,8 @@ double input(const Terms& terms, const std::string& text) {
   const Texts next = matched(text, next_to);
   const std::string exact = next.empty() ? text : next[2];
   const cl_RA value = value_of(terms.in_full(terms.content(exact)), exact);
-  const double nearest = balls::nearest_double(value, value).value();  // subnormal, too
-  return next.empty() ? nearest
-                      : std::nextafter(nearest, next[1] == "above" ? infinity : -infinity);
+  const double near = balls::nearest_double(value, value).value();  // subnormal, too
+  return next.empty() ? near : std::nextafter(near, next[1] == "above" ? infinity : -infinity);
 }
 
 /// "8 ulp or 1e-15": how far a result may be off.
@@ -42,8 +41,7 @@ struct Within {
   explicit Within(const std::string& text) {
     const std::string number = "([0-9.]+(?:e-?[0-9]+)?)";
     const Texts part = matched(text, number + " ulp(?: or " + number + ")?|" + number);
-    if (part.empty())
-      throw InvalidInput("within: allowed: \"4 ulp\", \"1e-15\", \"4 ulp or 1e-15\"");
+    if (part.empty()) throw InvalidInput(R"(within: allowed: "4 ulp", "1e-15", "4 ulp or 1e-15")");
     ulps = std::strtod(part[1].c_str(), nullptr);
     absolute = std::strtod((part[2] + part[3]).c_str(), nullptr);
   }
@@ -97,16 +95,12 @@ Cases cases_of(const Exercise& e, const Run& run) {
 std::string place(const Exercise& e, std::size_t which) {
   Texts parts;
   for (std::size_t i = 0; i < e.inputs.size(); ++i) {
-    const std::string& text = e.cases[which][i];
-    const bool is_next = !matched(text, next_to).empty();
-    const auto q =
-        is_next ? std::nullopt : notation::rational_value(notation::read_typed(text).term);
+    const std::string& at = e.cases[which][i];
+    const bool is_next = !matched(at, next_to).empty();
+    const auto q = is_next ? std::nullopt : notation::rational_value(notation::read_typed(at).term);
     const bool is_exact = q && balls::exact(cln::double_approx(*q)) == *q;
-    parts.push_back(e.inputs[i] +
-                    (is_exact  ? " = "
-                     : is_next ? " = the double "
-                               : " = the double nearest to ") +
-                    text);
+    const std::string nearest = is_next ? "the double " : "the double nearest to ";
+    parts.push_back(e.inputs[i] + " = " + (is_exact ? "" : nearest) + at);
   }
   return "At " + answers::joined(parts) + ": ";
 }

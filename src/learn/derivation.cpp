@@ -9,18 +9,13 @@ namespace {
 
 std::string line_name(std::size_t i) { return "line " + std::to_string(i + 1); }
 
-void add_gaps(const Judgement& compared, std::size_t line, Texts& notes) {
-  for (const std::string& gap : compared.notes) notes.push_back(line_name(line) + ": " + gap);
-}
-
 /// A line or a side of it, or what is wrong with it by the line's number.
 notation::Typed typed(const Terms& terms, const std::string& text, std::size_t line, Texts& notes) {
   return answers::with_place<kernel::Refused>(line_name(line) + ": ", [&] {
     const notation::Typed read = terms.typed(text, notes);
     for (Expr side : {read.term, read.right ? read.right : read.term}) {
       if (kernel::is_matrix(side)) kernel::refuse("a matrix");
-      if (const std::string other = terms.foreign(side, text); !other.empty())
-        kernel::refuse(other);
+      if (const std::string why = terms.foreign(side, text); !why.empty()) kernel::refuse(why);
     }
     return read;
   });
@@ -53,7 +48,7 @@ public:
     const Expr left = kernel::substitute(e.term, truth_);
     const Expr right = kernel::substitute(e.right, truth_);
     Judgement said = terms_.compare(left - right, 0);
-    add_gaps(said, line, notes);
+    for (const std::string& gap : said.notes) notes.push_back(line_name(line) + ": " + gap);
     if (said.mark == Mark::wrong) said = terms_.compare(left, right);
     replace_all(said.feedback, " yours is ", " its left side is ");
     replace_all(said.feedback, "; it should be ", ", its right side ");
@@ -139,10 +134,9 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
   for (std::size_t i = 0; i < differences.size(); ++i) {
     const Expr e = differences[i];
     const std::span<const Expr> before(differences.data(), i);
-    const std::string the_line = "Line " + std::to_string(i + 1);
+    const std::string line = "Line " + std::to_string(i + 1);
     if (equations.is_zero(e))
-      return {Mark::incomplete,
-              the_line + " says nothing: it holds for all velocities." + missing("")};
+      return {Mark::incomplete, line + " says nothing: it holds for all velocities." + missing("")};
     const Judgement said = equations.truth(all[i], i, notes);
     if (said.mark == Mark::undecided)
       return {said.mark, "It could not be decided whether " + line_name(i) + " is true."};
@@ -151,12 +145,12 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
         return equations.are_proportional(e, equations.content(answer));
       };
       return mistake(terms.exercise, was_given,
-                     the_line + " is not true of this motion. " + said.feedback);
+                     line + " is not true of this motion. " + said.feedback);
     }
     if (!equations.follows(e, before)) {
       const std::string later = equations.missing_law(before);
       return {Mark::incomplete,
-              the_line +
+              line +
                   (i == 0 ? " is true, but a derivation begins with a law."
                           : " is true, but how does it follow from the lines before it?") +
                   missing(!later.empty() ? " This law must stand before it: " + later + "."
@@ -168,9 +162,8 @@ Judgement judge_equations(const Terms& terms, const Texts& lines, Texts& notes) 
              name = terms.content(terms.exercise.name);
   if ((left != name || equations.has_unknowns(right)) &&
       (right != name || equations.has_unknowns(left)))
-    return {Mark::incomplete,
-            "Every line is right, but the end is missing: " + terms.exercise.name +
-                " = an expression without unknowns." + missing("")};
+    return {Mark::incomplete, "Each line is right, but the end is missing: " + terms.exercise.name +
+                                  " = an expression without unknowns." + missing("")};
   return {Mark::right, "Right: each line follows, and the last one is the answer."};
 }
 
@@ -229,7 +222,7 @@ Judgement judge_chain(const Terms& terms, const Texts& lines, Texts& notes) {
           before == start ? e.start + ", with which the chain begins" : "what comes before it";
       const std::string shown = terms.quoted(part, now);
       const Judgement compared = terms.compare(given, terms.in_full(before), now);
-      add_gaps(compared, i, notes);
+      for (const std::string& gap : compared.notes) notes.push_back(line_name(i) + ": " + gap);
       if (compared.mark == Mark::undecided)
         return {Mark::undecided, "It could not be decided whether " + shown + " in " +
                                      line_name(i) + " is equal to " + what + "."};

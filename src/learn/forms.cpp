@@ -120,19 +120,18 @@ const std::vector<Form> all_forms{{"no trigonometric functions", has_angle, " is
 Texts forms() { return answers::texts_of(all_forms, &Form::name); }
 
 std::string Terms::lacking(Expr term, const std::string& text) const {
-  const auto one = std::ranges::find(all_forms, exercise.form, &Form::name);
-  if (one == all_forms.end()) return {};
-  if (one->is_lack == hides_product && term.op() == Op::Add)
-    return quoted(text, term) + " is a sum";
+  const auto it = std::ranges::find(all_forms, exercise.form, &Form::name);
+  if (it == all_forms.end()) return {};
+  if (it->is_lack == hides_product && term.op() == Op::Add) return quoted(text, term) + " is a sum";
   const auto hidden = found(term, hides_form, true);
-  if (hidden && one->is_lack != has_angle) return quoted(text, *hidden) + " hides its form";
+  if (hidden && it->is_lack != has_angle) return quoted(text, *hidden) + " hides its form";
   const long count = divisions(text) - divisions(exercise.name);
-  if (one->is_lack == is_no_fraction && count > 1)
+  if (it->is_lack == is_no_fraction && count > 1)
     return "there are " + std::to_string(count) + " divisions in it";
   const equality::Domain where = domain(notation::symbols_of(term));
-  const auto is_lack = [&](Expr e) { return one->is_lack(e, where); };
-  const auto part = found(term, is_lack, one->is_lack == is_difference);
-  return part ? quoted(text, *part) + one->lack : "";
+  const auto is_lack = [&](Expr e) { return it->is_lack(e, where); };
+  const auto part = found(term, is_lack, it->is_lack == is_difference);
+  return part ? quoted(text, *part) + it->lack : "";
 }
 
 Texts Terms::allowed() const {

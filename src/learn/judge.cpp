@@ -6,6 +6,7 @@
 namespace learn {
 namespace {
 
+const std::string rounded = "Yours is near, but rounded: an exact value is asked for.";
 const std::string happens = "Right: this is what happens.";
 
 /// Without a byte order mark, lines that begin with #, outer space and LaTeX's, a first =, a stop.
@@ -20,15 +21,16 @@ std::string plain(std::string text) {
   for (const std::string sign : {"=", "≈"})
     if (text.starts_with(sign)) text.replace(0, sign.size(), " ");  // columns stay as they are
   text.erase(text.find_last_not_of(".,; ") + 1);
-  return text;
+  const auto name = [](const Texts& part) { return "Delta_" + part[1] + "="; };
+  text = replaced(text, R"(^ *(?:\\?Delta|Δ) *([A-Za-z]\w*) *=)", name);
+  return replaced(text, "([0-9]) collisions$", [](const Texts& part) { return part[1]; });
 }
 
 /// 28/33 of t = 28/33 ≈ 0.85, but not the a_2 of a_2 ≈ 0.2.
 std::string before_decimals(const std::string& text, Texts& notes) {
-  const Texts part = matched(text, R"((.*\S) *(?:≈|\\approx\b) *(?:-|−)?[0-9.]+)");
-  const auto is_name = [&] { return !matched(part[1], R"([\w'\\{}\x80-\xff]+)").empty(); };
-  if (part.empty() || (is_name() && part[1].find_first_not_of("0123456789.") != part[1].npos))
-    return text;
+  const Texts part = matched(text, R"((.*\S) *(?:≈|\\approx\b) *(?:-|−)?[0-9.]+(?: *V)?)");
+  const std::string name = R"((?![0-9]|\\?[a-z]?frac|\\?sqrt|√)[\w'\\{}\x80-\xff]+)";
+  if (part.empty() || !matched(part[1], name).empty()) return text;
   notes.push_back("what follows ≈ is not read");
   return part[1];
 }
@@ -47,20 +49,13 @@ std::string with_numbers(const Exercise& e, const std::string& text) {
 }
 
 Judgement judge_expression(const Exercise& e, const std::string& text, Texts& notes) {
+  if (!matched(text, R"((.*= *)?(∞|\\infty|[Ii]nf(inity|inite|initely many.*)?))").empty())
+    return {Mark::wrong, "Yours is infinite; a finite value is asked for."};
   const Terms terms(e);
-  const Texts sides = split(text, '=');
-  const auto equation = [&](const std::string& side) {  // columns stay
-    return sides[0] + "=" + std::string(text.rfind(side) - sides[0].size() - 1, ' ') + side;
-  };
-  for (std::size_t i = 1; i + 1 < sides.size(); ++i) {  // name = one = another: each is the answer
-    const Judgement one = judge_expression(e, equation(sides[i]), notes);
-    if (one.mark != Mark::right && one.mark != Mark::other_form) return one;
-  }
   const bool is_prediction = e.kind == "predict";
-  const std::string last = sides.size() > 2 ? equation(sides.back()) : text;
-  const Expr typed = terms.typed_for_name(last, notes);
+  const Expr typed = terms.typed_for_name(text, notes);
   if (is_prediction && kernel::is_matrix(typed)) kernel::refuse("a number is asked for");
-  const Expr given = terms.in_full(typed);
+  Expr given = terms.in_full(typed);
   if (const std::string foreign = terms.foreign(typed, text); !foreign.empty()) {
     Judgement said = terms.mistake(given, "");
     if (said.feedback.empty()) kernel::refuse(foreign);
@@ -68,41 +63,67 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
     return said;
   }
   const Expr expected = terms.in_full(terms.answer());
+  const bool is_row = given.rows() == 1 && expected.cols() == 1 && given.cols() == expected.rows();
+  if (is_row) given = kernel::matrix(1, kernel::entries(given));
   Judgement said = terms.compare(given, expected, typed);
   notes.insert(notes.end(), said.notes.begin(), said.notes.end());
   if (said.mark == Mark::right) {
-    const std::string lack = terms.lacking(typed, last);
+    if (is_row) return {Mark::other_form, "Right, but a column is asked for: write [a; b; c]."};
+    const std::string lack = terms.lacking(typed, text);
     if (is_prediction || lack.empty()) return {Mark::right, is_prediction ? happens : "Right."};
     return {Mark::other_form,
             "Equal to the answer, but not in the form asked for (" + e.form + "): " + lack + "."};
   }
   if (said.mark != Mark::wrong) return said;
+  const bool are_numbers = !kernel::is_matrix(given) && !kernel::is_matrix(expected);
+  const Expr gap = are_numbers ? notation::call("abs", given - expected) : given;
   if (is_prediction && !e.within.empty()) {
-    const Expr gap = notation::call("abs", given - expected);
     const auto is_near = equality::holds({gap, "<=", terms.in_full(terms.content(e.within))});
     if (!is_near) return {Mark::undecided, "It could not be decided whether yours is near enough."};
     if (*is_near) return {Mark::right, "Right: near enough."};
   }
-  const bool are_numbers = !kernel::is_matrix(given) && !kernel::is_matrix(expected);
   if (!is_prediction && are_numbers && terms.are_equal(given, -expected))
     said.feedback = "Only the sign is wrong: yours is minus the answer.";
   const Texts decimal = matched(text, R"(.*\.([0-9]+)[^.]*)");
   if (are_numbers && e.symbols.empty() && e.within.empty() && !decimal.empty()) {
-    const int digits = int(decimal[1].size());  // less than one of the last, or half of the first
-    const Expr unit = cln::expt(cln::cl_RA(10), -digits) / (digits == 1 ? 2 : 1);
-    if (equality::holds({notation::call("abs", given - expected), "<", unit}) == true)
-      said.feedback = "Yours is near, but rounded: an exact value is asked for.";
+    const Expr unit = cln::expt(cln::cl_RA(10), -int(decimal[1].size()));
+    if (equality::holds({gap, "<=", unit / 2}) == true)
+      said.feedback = rounded;
+    else if (decimal[1].size() > 1 && equality::holds({gap, "<", unit}) == true)
+      said.feedback = "Yours is near, but rounded or cut off: an exact value is asked for.";
   }
-  const std::string closed =  // 1/(1+alpha) for 1/1+alpha
-      replaced(text, R"(/ *([\w.\x80-\xff]+ *([-+]|−) *[\w.\x80-\xff]+))",
-               [](const Texts& part) { return "/(" + part[1] + ")"; });
-  const auto is_right = [&] {
+  if (are_numbers && terms.are_equal(given * kernel::pi() / 180, expected))
+    said.feedback = "Yours is in degrees; radians are asked for.";
+  const auto bracketed = [](const Texts& part) { return "/(" + part[1] + ")"; };  // 1/1+alpha
+  const auto closed =
+      replaced(text, R"(/ *([\w.\x80-\xff]+ *([-+]|−) *[\w.\x80-\xff]+))", bracketed);
+  const auto is_right = [&](const std::string& other) {
     Texts ignored;
-    return terms.are_equal(terms.in_full(terms.typed_for_name(closed, ignored)), expected);
+    return terms.are_equal(terms.in_full(terms.typed_for_name(other, ignored)), expected);
   };
-  if (closed != text && equality::is_proved(is_right))
+  if (closed != text && equality::is_proved([&] { return is_right(closed); }))
     said.feedback = "Parentheses are missing: it would be right as " + closed + ".";
+  const Texts pi = matched(text, R"((.*[^0-9.]|)(3\.14[0-9]*)(.*))");
+  if (!pi.empty() && equality::is_proved([&] { return is_right(pi[1] + "(pi)" + pi[3]); }))
+    said.feedback = pi[2] + " is rounded: write pi.";
   return terms.mistake(given, said.feedback);
+}
+
+/// name = one = another: each is the answer; the last one may be rounded.
+Judgement judge_chain(const Exercise& e, const std::string& text, Texts& notes) {
+  const Texts sides = split(text, '=');
+  if (sides.size() < 3) return judge_expression(e, text, notes);
+  const std::size_t first = text.find('=') + 1, last = text.rfind('=') + 1;
+  const Judgement before = judge_chain(e, text.substr(0, last - 1), notes);
+  if (before.mark != Mark::right && before.mark != Mark::other_form) return before;
+  const std::string gap(last - first, ' ');  // columns stay
+  Judgement said = judge_expression(e, text.substr(0, first) + gap + text.substr(last), notes);
+  const bool is_rounded = said.feedback == rounded;
+  const std::string one = *(sides.end() - 2), other = sides.back();
+  if (is_rounded) notes.push_back(other + " is rounded: write ≈ " + other);
+  if (said.mark == Mark::wrong && said.misconception.empty())
+    said.feedback = one + " is right, but " + other + " is not equal to it. " + said.feedback;
+  return is_rounded ? before : said;
 }
 
 bool are_true(const Terms& terms, const std::string& conditions) {
@@ -133,22 +154,18 @@ std::string words_of(std::string text) {
 }
 
 Judgement judge_choice(const Exercise& e, const std::string& text) {
-  const Texts part =  // (a), b., c) words, a – words
-      matched(text, R"([(["']? *([A-Za-z]) *(?:(?:[).,:;\]"'-]|–|—) *(.*))?)");
-  const std::string words = words_of(part.empty() ? text : part[2]);
-  std::string letters, listed, fits;  // all; those whose choices have these words
-  Texts meant;
-  for (const std::string& choice : e.choices) {
-    const char own = char('a' + letters.size());
-    letters += own;
-    listed += (own == 'a' ? "" : letters.size() == e.choices.size() ? " or " : ", ");
-    listed += own;
-    if (words == " " || words_of(choice).find(words) == words.npos) continue;
+  const Texts part = matched(text, R"([(["']? *([A-Za-z]) *(?:(?:[).,:;\]"'-]|–|—) *(.*))?)");
+  const std::string words = words_of(part.empty() ? text : part[2]);  // also of c) words
+  std::string all, fits, meant;  // letters; those of choices with these words
+  for (std::size_t i = 0; i < e.choices.size(); ++i) {
+    const std::string own(1, char('a' + i));
+    all += (i == 0 ? "" : i + 1 == e.choices.size() ? " or " : ", ") + own;
+    if (words == " " || words_of(e.choices[i]).find(words) == words.npos) continue;
+    meant += (fits.empty() ? "" : " or ") + own + ") \"" + e.choices[i] + "\"";
     fits += own;
-    meant.push_back(std::string(1, own) + ") \"" + choice + "\"");
   }
   char letter = part.empty() ? '?' : char(part[1][0] | 0x20);
-  if (const std::size_t at = letters.find(letter); at != letters.npos) {
+  if (const auto at = std::size_t(letter - 'a'); at < e.choices.size()) {
     const bool are_two = !matched(words, " (or )?[a-z] ").empty();  // a, or b
     const bool is_reason = fits.empty() && letter == part[1][0];    // a, because...
     if (words != " " && (are_two || (fits.find(letter) == fits.npos && !is_reason)))
@@ -161,10 +178,10 @@ Judgement judge_choice(const Exercise& e, const std::string& text) {
                          words_of(choice.substr(0, choice.find(','))) == words;
     if (fits.size() > 1 || !words_of(choice).starts_with(words) ||
         (is_half && letter != right_choice(e)))  // that much may be true
-      kernel::refuse("is " + answers::joined(meant, " or ") + " meant?");
+      kernel::refuse("is " + meant + " meant?");
   } else {
     return {Mark::unread,
-            "Answer with " + listed + " (you typed \"" + answers::shown_text(text) + "\")."};
+            "Answer with " + all + " (you typed \"" + answers::shown_text(text) + "\")."};
   }
   if (letter == right_choice(e)) return {Mark::right, happens};
   const auto was_given = [&](const std::string& one) { return one == std::string(1, letter); };
@@ -174,9 +191,8 @@ Judgement judge_choice(const Exercise& e, const std::string& text) {
 }  // namespace
 
 const char* word(Mark mark) {
-  constexpr const char* words[]{"right", "other form", "incomplete",
-                                "wrong", "unread",     "undecided"};
-  return words[static_cast<std::size_t>(mark)];
+  constexpr const char* all[]{"right", "other form", "incomplete", "wrong", "unread", "undecided"};
+  return all[static_cast<std::size_t>(mark)];
 }
 
 Judgement judge(const Exercise& e, const std::string& typed, const Run& run) try {
@@ -185,8 +201,8 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) try
   Texts notes;
   Judgement said = e.kind == "code"         ? judge_code(e, text, run)
                    : e.kind == "derivation" ? judge_derivation(e, text, notes)
-                   : e.choices.empty() ? judge_expression(e, before_decimals(text, notes), notes)
-                                       : judge_choice(e, text);
+                   : e.choices.empty()      ? judge_chain(e, before_decimals(text, notes), notes)
+                                            : judge_choice(e, text);
   said.notes = notes;
   return said;
 } catch (const kernel::Refused& r) {
@@ -195,9 +211,7 @@ Judgement judge(const Exercise& e, const std::string& typed, const Run& run) try
           "Not understood: " + why + (why.ends_with('?') || why.ends_with('.') ? "" : ".")};
 }
 
-Judgement mistake(const Exercise& e,
-                  const std::function<bool(const std::string& answer)>& was_given,
-                  const std::string& otherwise) {
+Judgement mistake(const Exercise& e, const IsAnswer& was_given, const std::string& otherwise) {
   for (const Misconception& m : e.misconceptions)
     if (std::ranges::any_of(m.answers, was_given)) return {Mark::wrong, m.feedback, {}, m.name};
   return {Mark::wrong, otherwise};
@@ -224,16 +238,15 @@ std::string how_to_write(const Exercise& e, const std::string& said) {
   const bool is_said = !matched(said, ".*(a number is asked for|an answer may use).*").empty();
   const std::string rule = is_said ? "" : rules(e)[0] + ". ";
   if (e.kind == "derivation") return rule + "A line looks like this: " + e.laws[0];
-  Texts examples;
+  Texts all;
   for (const Misconception& m : e.misconceptions)
-    examples.insert(examples.end(), m.answers.begin(), m.answers.end());
-  examples.insert(examples.end(), {"sqrt(7)/9", "22 + 1/13"});
+    all.insert(all.end(), m.answers.begin(), m.answers.end());
+  all.insert(all.end(), {"sqrt(7)/9", "22 + 1/13"});
   const auto is_fit = [terms = Terms(e), own = own_answer(e)](const std::string& one) {
     const Expr term = terms.content(one);
     return one.find(own) == one.npos && (terms.foreign(term) + terms.lacking(term, one)).empty();
   };
-  return rule +
-         "This can be read, but is not the answer: " + *std::ranges::find_if(examples, is_fit);
+  return rule + "This can be read, but is not the answer: " + *std::ranges::find_if(all, is_fit);
 }
 
 std::string own_answer(const Exercise& e) {
@@ -266,13 +279,13 @@ Texts faults(const Exercise& e, const Run& run) {
       const Terms terms(e);
       const Expr step = terms.in_full(terms.from_step(e.answer_from));
       const Judgement said = terms.compare(terms.in_full(terms.answer()), step);
-      need(said.mark == Mark::right, "its own answer", said);
+      if (said.mark != Mark::right)
+        wrong.push_back("answer and answer_from disagree: " + said.feedback);
     }
     if (e.kind == "symbolic" && e.answer_from.empty() && !e.name.empty()) {
       Exercise in_alpha = e;  // where psi and all other names have their meaning
       in_alpha.symbols.push_back("alpha");
-      for (const std::string& used :
-           notation::symbols_of(Terms(in_alpha).in_book(Terms(e).answer())))
+      for (const auto& used : notation::symbols_of(Terms(in_alpha).in_book(Terms(e).answer())))
         in_alpha.symbols.push_back(used);
       const Terms terms(in_alpha);
       const Expr name = terms.content(e.name), stated = terms.in_book(name);
@@ -286,7 +299,7 @@ Texts faults(const Exercise& e, const Run& run) {
     for (const Misconception& one : e.misconceptions)
       for (const std::string& text : one.answers) {
         const Judgement said = judge(e, with_numbers(e, text), run);
-        need(said.mark == Mark::wrong && said.feedback == one.feedback,
+        need(said.mark == Mark::wrong && said.misconception == one.name,
              "the misconception " + (e.kind == "code" ? one.name : text), said);
       }
     if (e.kind == "code") {

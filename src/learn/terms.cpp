@@ -58,15 +58,18 @@ std::string difference(const equality::Counterexample& c, const std::string& whe
     return is_decimal ? answers::real_cell(cln::double_approx(q)).text : value;
   };
   const bool is_small = c.difference.find("e-") != c.difference.npos;
+  if (c.point.empty() && c.right != "0" && c.left.starts_with('-') != c.right.starts_with('-'))
+    return "Yours has the wrong sign.";
   if (c.point.empty())
     return std::string(is_small ? "Yours is near, but not equal: it" : "Yours") + " is too " +
            (c.difference.starts_with('-') ? "small." : "large.");
   const std::size_t slash = std::min(c.difference.find('/'), c.difference.size());
   const bool is_close = is_small || c.difference.size() > 2 * slash + 6;
-  return "At " + c.point + where + " yours is " + shown(c.left) + "; it should be " +
-         shown(c.right) +
-         (is_close ? ", apart by " + c.difference.substr(c.difference[0] == '-' ? 1 : 0) + "."
-                   : ".");
+  const std::string said =
+      "At " + c.point + where + " yours is " + shown(c.left) + "; it should be " + shown(c.right);
+  if (is_close) return said + ", apart by " + c.difference.substr(c.difference[0] == '-') + ".";
+  const auto six = [](const Texts& part) { return answers::formatted("%.6g", std::stod(part[0])); };
+  return replaced(said, R"([0-9]+\.[0-9]{6,})", six) + ".";
 }
 
 /// " at alpha = 1: why": yours has no value at more than one in `share` points, the answer has.
@@ -133,8 +136,7 @@ notation::Typed Terms::typed(std::string text, Texts& notes) const {
     if (value == "1")  // both readings of 147/64V have one value, and the reader knows this one
       text = replaced(text, "(/ *[0-9.]+)(" + name + "\\b)",
                       [](const Texts& part) { return part[1] + " " + part[2]; });
-  const bool is_column =
-      exercise.kind == "symbolic" && kernel::is_matrix(answer()) && answer().cols() == 1;
+  const bool is_column = exercise.kind == "symbolic" && answer().cols() == 1;
   const notation::Typed read = notation::read_equation(text, symbols, is_column);
   for (const std::string& note : read.notes)
     if (std::ranges::count(notes, note) == 0) notes.push_back(note);
@@ -144,6 +146,10 @@ notation::Typed Terms::typed(std::string text, Texts& notes) const {
 Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
   const notation::Typed read = typed(text, notes);
   if (!read.right) return read.term;
+  const std::string said = notation::name_of(read.term);
+  const bool is_new =
+      !said.empty() && !known.contains(said) && !notation::symbols_of(read.right).contains(said);
+  if (is_new && exercise.name.empty()) return read.right;
   if (exercise.name.empty())
     kernel::refuse("what is asked for has no name; write the expression alone, without =");
   const Expr name = content(exercise.name);
@@ -152,6 +158,9 @@ Expr Terms::typed_for_name(const std::string& text, Texts& notes) const {
     if (full.ends_with("_" + index)) full.replace(full.size() - index.size(), index.size(), value);
   for (const auto& [left, right] : {std::pair{read.term, read.right}, {read.right, read.term}})
     if (left == name || (!full.empty() && notation::name_of(left) == full)) return right;
+  const std::string index = "_(?!prime)[a-z0-9]+";  // a for a_n, t_1 for t
+  if (is_new && !matched(said + " " + full, "(.+)(" + index + " \\1| \\1" + index + ")").empty())
+    return read.right;
   kernel::refuse("neither side of this equation is " + exercise.name +
                  ", which is asked for; write " + exercise.name +
                  " = ..., or the expression alone");
@@ -196,9 +205,8 @@ std::string Terms::foreign(Expr term, const std::string& typed) const {
   if (names.empty()) return {};
   const std::string wanted =
       symbols.empty() ? "a number is asked for" : "an answer may use " + answers::joined(allowed());
-  static const std::set<std::string> units{"m",       "cm",      "km",      "s",     "ms", "h",
-                                           "min",     "kg",      "g",       "J",     "N",  "rad",
-                                           "seconds", "minutes", "degrees", "meters"};
+  static const Texts units =
+      split("J N cm degrees g h kg km m meters min minutes ms rad s seconds", ' ');
   const auto is_word = [](auto& one) { return one.size() > 3 && !notation::is_greek_name(one); };
   if (names.size() > 1 && std::ranges::any_of(names, is_word) &&
       !matched(typed, R"([^-+*/^=()_0-9\\]+)").empty())
@@ -281,9 +289,8 @@ Judgement Terms::compare_numbers(Expr given, Expr expected, Expr typed) const {
     return {Mark::wrong,
             "Yours has no real value" + (none[0] == ':' ? none : ", for instance" + none) + "."};
   }
-  if (verdict.answer == equality::Answer::Different)
-    return {Mark::wrong,
-            difference(*verdict.counterexample, names_at(verdict.counterexample->at, typed))};
+  if (const auto& c = verdict.counterexample)
+    return {Mark::wrong, difference(*c, names_at(c->at, typed))};
   if (verdict.conditions.empty()) return {Mark::right, ""};
   return with_gaps(given, expected, where);
 }

@@ -44,16 +44,14 @@ private:
   std::set<std::string> symbols, known;  // those that an answer may use; of numbers also values
   kernel::Substitution values;           // the exercise's, and what was run
   Judgement compare_numbers(Expr given, Expr expected, Expr typed) const;
-  std::string names_at(const equality::Point& point,
-                       Expr typed) const;  // ", where psi = 2.094...,"
+  std::string names_at(const equality::Point&, Expr typed) const;  // ", where psi = 2.0944,"
 };
 
 Texts forms();
 
+using IsAnswer = std::function<bool(const std::string& answer)>;
 /// Wrong, with the feedback of the first misconception that has an answer that was given.
-Judgement mistake(const Exercise& exercise,
-                  const std::function<bool(const std::string& answer)>& was_given,
-                  const std::string& otherwise);
+Judgement mistake(const Exercise&, const IsAnswer& was_given, const std::string& otherwise);
 
 /// Also says how the typed text was read.
 Judgement judge_derivation(const Exercise& exercise, const std::string& typed, Texts& notes);
