@@ -299,7 +299,7 @@ Texts faults(const Exercise& e, const Run& run) {
     for (const Misconception& one : e.misconceptions)
       for (const std::string& text : one.answers) {
         const Judgement said = judge(e, with_numbers(e, text), run);
-        need(said.mark == Mark::wrong && said.misconception == one.name,
+        need(said.misconception == one.name || (e.kind == "code" && said.feedback == one.feedback),
              "the misconception " + (e.kind == "code" ? one.name : text), said);
       }
     if (e.kind == "code") {
