@@ -53,9 +53,9 @@ std::string shown_text(std::string_view text, std::size_t longest) {
   for (std::size_t i = 0, size = 1; i < std::min(text.size(), longest); i += size) {
     const bool is_two = (byte(i) > 0xc2 && byte(i) < 0xcc) || byte(i) / 2 == 0x67 ||  // é, α
                         (byte(i) == 0xc2 && byte(i + 1) > 0xad);                      // ½
-    const bool is_mark =
-        byte(i + 1) == 0x80 ? byte(i + 2) / 0x10 < 0xa && byte(i + 2) > 0x8f
-                            : byte(i + 1) == 0x81 && byte(i + 2) / 0x10 != 0xa;  // ⁄ ⁻
+    const bool is_mark = byte(i + 1) == 0x80
+                             ? byte(i + 2) / 0x10 < 0xa && byte(i + 2) > 0x8f
+                             : byte(i + 1) == 0x81 && byte(i + 2) / 0x10 != 0xa;  // ⁄ ⁻
     const bool is_sign = byte(i) == 0xe2 && (byte(i + 1) > 0x81 || is_mark) && goes_on(i + 2);
     size = !goes_on(i + 1) ? 1 : is_two ? 2 : is_sign ? 3 : 1;
     if (size > 1 || (byte(i) >= 0x20 && byte(i) < 0x7f))
