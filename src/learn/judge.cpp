@@ -11,6 +11,7 @@ const std::string happens = "Right: this is what happens.";
 
 /// Without a byte order mark, lines that begin with #, outer space and LaTeX's, a first =, a stop.
 std::string plain(std::string text) {
+  if (text.size() > 20000) kernel::refuse("longer than 20000 characters");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   const auto blanks = [](const Texts& part) { return part[0] == "\\\\" ? part[0] : "  "; };
   text = replaced(text, R"(\\\\|\\[,;:! ])", blanks);
@@ -21,8 +22,7 @@ std::string plain(std::string text) {
   for (const std::string sign : {"=", "≈"})
     if (text.starts_with(sign)) text.replace(0, sign.size(), " ");  // columns stay as they are
   text.erase(text.find_last_not_of(".,; ") + 1);
-  const auto name = [](const Texts& part) { return "Delta_" + part[1] + "="; };
-  text = replaced(text, R"(^ *(?:\\?Delta|Δ) *([A-Za-z]\w*) *=)", name);
+  text = replaced(text, R"(^ *(\\?Delta|Δ) *(?=[A-Za-z]\w* *=))", [](auto&) { return "Delta_"; });
   return replaced(text, "([0-9]) collisions$", [](const Texts& part) { return part[1]; });
 }
 
@@ -112,7 +112,7 @@ Judgement judge_expression(const Exercise& e, const std::string& text, Texts& no
 /// name = one = another: each is the answer; the last one may be rounded.
 Judgement judge_chain(const Exercise& e, const std::string& text, Texts& notes) {
   const Texts sides = split(text, '=');
-  if (sides.size() < 3) return judge_expression(e, text, notes);
+  if (sides.size() < 3 || sides.size() > 40) return judge_expression(e, text, notes);
   const std::size_t first = text.find('=') + 1, last = text.rfind('=') + 1;
   const Judgement before = judge_chain(e, text.substr(0, last - 1), notes);
   if (before.mark != Mark::right && before.mark != Mark::other_form) return before;
