@@ -8,8 +8,8 @@ using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
 constexpr int highest_order = 24, most_multiplied_out = 24;
-constexpr int most_of_pi = 64;                   // d of pi/d, if it has square roots
-constexpr int most_work = 24, most_of_odd = 40;  // with square roots, and without
+constexpr int most_of_pi = 64;  // d of pi/d, if it has square roots
+constexpr int most_work = 100, most_of_odd = 36;
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
@@ -60,13 +60,15 @@ Exprs definition(Expr root) {
   if (n % 2 == 0) out.push_back(kernel::le(0, root));
   return out;
 }
-Theorem root_is(Expr root, Expr t, const Theorems& facts) {
-  if (is_call(root, "sqrt")) return algebra::root_is(root.arg(0), t, facts);
+Theorem root_is(Expr root, Expr t, const Theorems& facts,
+                const std::function<Theorem(Expr)>& rest = {}) {
   const Theorems is = algebra::assumed(definition(root));
+  const Theorem power = algebra::cancel(
+      kernel::eq(kernel::power(t, order(root)), algebra::right(is[0])), {}, facts, {}, rest);
+  if (is_call(root, "sqrt")) return algebra::root_of(power, algebra::not_negative(t, facts));
   Theorems signs(is.begin() + 1, is.end());
   if (!signs.empty()) signs.push_back(algebra::not_negative(t, facts));
-  const Theorem e = algebra::equation(algebra::right(is[0]), kernel::power(t, order(root)), facts);
-  return algebra::same_root(algebra::chain(is[0], e), signs);
+  return algebra::same_root(algebra::chain(is[0], algebra::turned(power)), signs);
 }
 /// Facts of the roots of both sides: of those of one factor by the least, as 4^(1/3) is 2^(1/3)^2.
 struct Roots {
@@ -76,7 +78,7 @@ struct Roots {
   Exprs others = {};  // that are not known by simpler ones
   std::set<Expr> definitions = {};
   Theorems facts = {};
-  Enclosures bounds = {};  // of roots of numbers and cosines
+  Enclosures bounds{facts};  // of roots of numbers and cosines
 
   void see(Expr e) {
     for (Expr part : e.args()) see(part);
@@ -105,8 +107,7 @@ struct Roots {
       const Expr other = kernel::canonical(-(is_abs ? factor.arg(0) : factor));
       const bool is_turned = (is_abs || n == 1) && algebra::sign_of(other, facts, false);
       const Expr of = is_turned ? other : factor;
-      const Expr least = forms.expression(atom(of, exponent(cln::cl_RA(1) / n)));
-      const Expr whole = kernel::power(least, std::abs(k));
+      const Expr whole = kernel::power(least_root(of, n), std::abs(k));
       if (is_turned && !is_abs && k % 2 != 0) out = -out;
       out = k > 0 ? out * whole : out / whole;
     }
@@ -132,10 +133,37 @@ struct Roots {
     if (const auto falls = is_less(less, more, facts)) facts.push_back(*falls);
     return more - less;
   }
+  Expr least_root(Expr x, int n) { return forms.expression(atom(x, exponent(cln::cl_RA(1) / n))); }
+  /// Of a number, by roots of factors and, as the n-th root of x^n is x or -x, by bounds of x.
+  Expr root_of(Expr x, int n) {
+    const auto is_square = [](Expr f) { return f.op() == Op::Pow && f.exponent() % 2 == 0; };
+    const bool is_abs = is_call(x, "abs");
+    const Expr inside = is_abs ? x.arg(0) : x;
+    if (is_call(x, "inv")) return 1 / root_of(x.arg(0), n);
+    if (inside.op() == Op::Mul &&
+        (n % 2 != 0 || is_abs || std::ranges::all_of(inside.args(), is_square))) {
+      Expr out = 1;
+      for (Expr f : inside.args()) out = out * root_of(is_abs ? absolute(f) : f, n);
+      return out;
+    }
+    if (x.op() != Op::Pow || (n % 2 == 0 && x.exponent() % n != 0)) return least_root(x, n);
+    const Expr t = x.arg(0);
+    if (n % 2 != 0) return kernel::power(root_of(t, n), x.exponent());
+    return kernel::power(bounds.sign(t).conclusion().arg(0) == t ? -t : t, x.exponent() / n);
+  }
+  std::optional<Expr> of_number(Expr root) {
+    if (!is_constant(root)) return {};
+    if (is_call(root, "abs")) return root_of(kernel::power(root.arg(0), 2), 2);
+    const int n = order(root), k = whole(*root_exponent(root));
+    const Expr t = kernel::power(root_of(root.arg(0), n), std::abs(k));
+    return k > 0 ? t : 1 / t;
+  }
   std::optional<Expr> of_inverse(Expr root) {  // sqrt(1/u) is 1/sqrt(u)
     const Expr x = kernel::canonical(root.arg(0));
     const Expr u = kernel::canonical(algebra::simplified(1 / x));
-    if (!is_call(root, "sqrt") || u.weight() >= x.weight()) return {};
+    const auto parts = parts_of(u);
+    const bool has_inverse = std::ranges::any_of(parts, [](Expr e) { return is_call(e, "inv"); });
+    if (!is_call(root, "sqrt") || has_inverse || u.weight() >= x.weight()) return {};
     const auto of = kernel::polynomial(u);
     const Expr q = of.size() == 1 ? Expr(cln::abs(of.begin()->second)) : Expr(1);
     return 1 / (kernel::sqrt(q) * kernel::sqrt(kernel::canonical(u / q)));
@@ -164,12 +192,13 @@ struct Roots {
     if (!is_root(e) || !seen.insert(kernel::canonical(e)).second) return;
     const Exprs is = definition(e);
     if (!is_call(e, "sqrt")) definitions.insert(is.begin(), is.end());
-    for (auto simpler : {&Roots::of_sum, &Roots::by_factors, &Roots::of_inverse})
+    for (auto simpler : {&Roots::of_number, &Roots::of_sum, &Roots::by_factors, &Roots::of_inverse})
       if (is_proved([&] {
             const auto t = (this->*simpler)(e);
             if (!t || kernel::canonical(*t) == kernel::canonical(e)) return false;
             see(*t);
             add(*t);
+            if (is_constant(*t)) is_proved([&] { return facts.push_back(bounds.sign(*t)), true; });
             facts.push_back(root_is(e, *t, facts));
             return true;
           }))
@@ -187,17 +216,23 @@ struct Roots {
     const Theorem base = algebra::turned(known[0]);
     is_proved([&] { return facts.push_back(algebra::positive(base, facts)), true; });
   }
+  bool add_sign(Expr constant) {
+    return is_constant(constant) &&
+           is_proved([&] { return facts.push_back(bounds.sign(constant)), true; });
+  }
   /// One root as both sides are equal, if it is that: two could be written by one another.
-  void solve_for_one(Expr goal) {
+  bool solve_for_one(Expr goal, const std::function<Theorem(Expr)>& rest) {
     const Expr equation = kernel::eq(by_facts(goal.arg(0) - goal.arg(1), facts), 0);
-    for (Expr root : others)
-      if (is_proved([&] {
-            const Expr unknown = by_facts(root, facts);
-            const Expr value = algebra::solve({equation}, {unknown})[0];
-            const bool is_other = kernel::replace(value, unknown, 0) == value;
-            return is_other && (facts.push_back(root_is(root, value, facts)), true);
-          }))
-        return;
+    const auto is_solved = [&](Expr root) {
+      const Expr unknown = by_facts(root, facts);
+      const Expr value = algebra::solve({equation}, {unknown})[0];
+      if (kernel::replace(value, unknown, 0) != value) return false;
+      add_sign(value);
+      facts.push_back(root_is(root, value, facts, rest));
+      return true;
+    };
+    return std::any_of(others.rbegin(), others.rend(),
+                       [&](Expr root) { return is_proved([&] { return is_solved(root); }); });
   }
 };
 // 0 < e or 0 <= e, of two terms by their squares, of a quadratic polynomial by others in it.
@@ -221,12 +256,38 @@ std::optional<Theorem> by_squares(Expr e, const Theorems& facts) {
   }
   return {};
 }
-// How much there is to multiply out of roots, and of sine and cosine of pi/d.
-cln::cl_I work(Expr e, const cln::cl_I& d) {
-  if (is_sine(e)) return cln::numerator(cln::abs(d * *multiple_of_pi(e.arg(0))));
-  if (is_root(e)) return 1;
-  cln::cl_I sum = 0;
-  for (Expr part : e.args()) sum = sum + work(part, d);
+// q as multiples of 1/d, d powers of primes, and under 2 the halves: 9/20 is 1/4 and 1/5.
+using Shares = std::map<int, cln::cl_RA>;
+Shares shares(const cln::cl_RA& q) {
+  Shares out;
+  cln::cl_RA left = q;
+  cln::cl_I others = cln::denominator(q);
+  for (int p = 2; others > 1; ++p) {
+    cln::cl_I d = 1;
+    for (; cln::mod(others, p) == 0; d = d * p) others = cln::exquo(others, p);
+    if (p > most_of_pi || d > most_of_pi) kernel::refuse("no parts of pi so small");
+    if (d == 1) continue;
+    const cln::cl_I rest = cln::exquo(cln::denominator(q), d), step = p == 2 ? cln::exquo(d, 2) : d;
+    cln::cl_I a = 0;
+    while (cln::mod(a * rest - cln::numerator(q), d) != 0) a = a + 1;
+    a = a - cln::round1(a / cln::cl_RA(step)) * step;
+    if (a != 0) out[cln::cl_I_to_int(d)] = a;
+    left = left - a / cln::cl_RA(d);
+  }
+  if (cln::abs(left) > most_of_pi) kernel::refuse("too many turns");
+  out[2] = cln::numerator(2 * left);
+  return out;
+}
+// How much there is to multiply out of roots, and of sines of pi/d.
+cln::cl_I work(Expr e) {
+  cln::cl_I sum = is_root(e) ? 1 : 0;
+  if (is_sine(e)) {
+    for (const auto& [d, a] : shares(*multiple_of_pi(e.arg(0))))
+      sum = sum + (d == 2 ? cln::cl_I(0) : cln::numerator(cln::abs(a)));
+    return sum;
+  }
+  if (is_root(e)) return sum;
+  for (Expr part : e.args()) sum = sum + work(part);
   return e.op() == Op::Pow ? sum * e.exponent() : sum;
 }
 // Sums to high powers are names, for they are not multiplied out; each as it came first.
@@ -257,54 +318,56 @@ Theorem power_of_cosine(int d) {
   return algebra::solved_for(kernel::power(c, n),
                              algebra::certified(kernel::eq(u - before, 0), proof));
 }
-// A sine of q pi by those of pi/2 and of the angle nearest to 0 that is quarters of a turn away, or
-// halves where that keeps an odd denominator.
-Theorem nearest_to_0(Expr sine) {
-  const cln::cl_RA q = *multiple_of_pi(sine.arg(0)), half = cln::cl_RA(1) / 2;
-  const cln::cl_I parts = cln::mod(cln::denominator(q), 4), odd = parts == 2 ? 1 : 0;
-  const cln::cl_RA k = parts == 0 ? cln::round1(2 * q) : 2 * cln::round1(q - odd * half) + odd;
-  const cln::cl_RA rest = q - k * half;
-  if (cln::abs(k) > most_of_pi || rest == q) kernel::refuse("turns no angle so far");
-  const Expr x = kernel::real("x"), quarter = kernel::pi() / 2, step = rest < 0 ? -x : x;
-  const Expr turned = kernel::replace(sine, sine.arg(0), Expr(k) * quarter + step);
-  const Theorem is = algebra::at(algebra::angles({turned}, {quarter, x}, false).at(0),
-                                 {{x, Expr(cln::abs(rest)) * kernel::pi()}});
+// A sine of q pi by those of pi/2 and of pi/d, its shares.
+Theorem in_parts(Expr sine, const Shares& parts) {
+  const Expr quarter = kernel::pi() / 2;
+  Exprs bases{quarter};
+  kernel::Substitution at;
+  Expr angle = Expr(parts.at(2)) * quarter;
+  for (const auto& [d, a] : parts) {
+    if (d == 2) continue;
+    const Expr x = bases.emplace_back(kernel::real("x_" + std::to_string(d)));
+    at.emplace(x, kernel::pi() / d);
+    angle = angle + Expr(a) * x;
+  }
+  const Expr by_names = kernel::replace(sine, sine.arg(0), angle);
+  const Theorems rules = algebra::angles({by_names}, bases);
+  if (rules.size() == bases.size()) kernel::refuse("is a base");
+  const Theorem is =
+      algebra::at(algebra::equation(by_names, algebra::reduced(by_names, rules), rules), at);
   return kernel::restate(kernel::eq(sine, algebra::right(is)), is);
 }
-Exprs sines_in(Expr e) {
-  Exprs sines = parts_of(e);
-  std::erase_if(sines, [](Expr part) { return !is_sine(part) || !is_algebraic_term(part); });
-  return sines;
+void add_part(int d, Roots& roots) {
+  const Expr t = kernel::pi() / d;
+  if (d % 2 == 0 || d < 7) {
+    const auto part = algebra::part_of_pi(d);
+    const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
+    roots.facts = roots.facts + Theorems{part->cosine, part->sine} + part->signs;
+    roots.see(both);
+    return roots.add(both);
+  }
+  const Theorem cosine = power_of_cosine(d), circle = algebra::angles({}, {t})[0];
+  roots.facts = roots.facts + Theorems{cosine, circle};
+  roots.bounds.add_cosine(d, cosine);
+  roots.bounds.add_root(circle, {algebra::not_negative(kernel::sin(t))});
 }
-// Sines of parts of pi by those of one part, where they are not too much.
+// Sines of multiples of pi by those of its parts, where they are not too much.
 void add_sines(Expr e, Roots& roots) {
   Theorems turns{kernel::axiom("cos pi/2"), kernel::axiom("sin pi/2")};
-  for (Expr sine : sines_in(e))
-    is_proved([&] { return turns.push_back(nearest_to_0(sine)), true; });
-  e = by_facts(e, turns);
-  const Exprs sines = sines_in(e);
-  cln::cl_I d = 1;
-  for (Expr of : sines) d = cln::lcm(d, cln::denominator(*multiple_of_pi(of.arg(0))));
-  const int parts = d > most_of_pi ? 0 : cln::cl_I_to_int(d);
-  const bool is_odd = parts % 2 != 0 && parts > 5 && parts < 36 && parts != 15;
-  const auto part = is_odd ? std::nullopt : algebra::part_of_pi(parts);
-  if (work(e, d) <= (is_odd ? most_of_odd : most_work) && (is_odd || part)) {
-    if (is_odd) {
-      const Theorem cosine = power_of_cosine(parts);
-      roots.facts.push_back(cosine);
-      roots.bounds.add_cosine(parts, cosine);
-      const Expr t = kernel::pi() / parts;
-      roots.bounds.add_root(algebra::angles({}, {t}).back(),
-                            {algebra::not_negative(kernel::sin(t))});
-    }
-    if (part) {
-      const Expr both = algebra::right(part->cosine) + algebra::right(part->sine);
-      roots.facts = roots.facts + Theorems{part->cosine, part->sine} + part->signs;
-      roots.see(both);
-      roots.add(both);
-    }
-    roots.facts = roots.facts + algebra::angles(sines, {kernel::pi() / parts});
+  std::set<int> all;
+  const bool is_long = !is_proved([&] { return work(e) <= most_work; });
+  for (Expr sine : parts_of(e)) {
+    if (!is_sine(sine) || !is_algebraic_term(sine)) continue;
+    const bool is_in_parts = is_proved([&] {
+      const Shares parts = shares(*multiple_of_pi(sine.arg(0)));
+      if (is_long && work(sine) > 1) return false;
+      for (const auto& [d, a] : parts)
+        if (d != 2 && (d % 2 == 0 || d < most_of_odd)) all.insert(d);
+      return turns.push_back(in_parts(sine, parts)), true;
+    });
+    if (!is_in_parts) turns = algebra::angles({}, {sine.arg(0)}) + turns;
   }
+  for (int d : all) add_part(d, roots);
   roots.facts = roots.facts + turns;
 }
 }  // namespace
@@ -352,16 +415,21 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
     roots.add(both);
     for (const Requirement& r : needs) {
       if (!is_constant(r.term)) continue;
-      const bool is_sure =
-          is_proved([&] { return facts.push_back(roots.bounds.sign(r.term, facts)), true; });
+      const bool is_sure = roots.add_sign(r.term);
       if (!is_sure || r.kind != Need::NotZero) facts.push_back(kernel::assume(formula(r)));
     }
     std::optional<Theorem> found;
-    const auto find = [&](const std::function<Theorem(Expr)>& rest) {
-      return is_proved([&] { return found = algebra::cancel(goal, {}, facts, {}, rest), true; });
+    const auto is_found = [&](const std::function<Theorem(Expr)>& rest) {
+      const auto find = [&] {
+        return is_proved([&] { return found = algebra::cancel(goal, {}, facts, {}, rest), true; });
+      };
+      const Theorems before = facts;
+      if (find() || (roots.solve_for_one(goal, rest) && find())) return true;
+      facts = before;
+      return false;
     };
-    if (!is_constant(both) && !find({})) roots.solve_for_one(goal);
-    if (!found && !find([&](Expr sum) { return vanishes(sum, facts, roots.bounds); })) return false;
+    const auto by_powers = [&](Expr sum) { return vanishes(sum, facts, roots.bounds); };
+    if (!is_found({}) && !is_found(by_powers)) return false;
     Theorem proved = *found;
     for (Expr h : proved.hypotheses())
       if (std::ranges::find(needs, h, formula) == needs.end() && !roots.definitions.contains(h))

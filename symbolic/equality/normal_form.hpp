@@ -203,22 +203,28 @@ public:
     cln::cl_RA low, high;
     algebra::Theorem above, below;
   };
-  /// Refused: what is not +, *, powers and what has been added.
-  Bounds of(Expr constant) const;
-  /// 0 < e or e < 0; by `facts` it is what has bounds. Refused: 0 is between them.
-  algebra::Theorem sign(Expr constant, const algebra::Theorems& facts) const;
+  /// Refused: what is not +, *, quotients, powers and what has been added or is known by facts.
+  Bounds of(Expr constant);
+  /// 0 < e or e < 0. Refused: 0 is between its bounds.
+  algebra::Theorem sign(Expr constant);
   /// From root^n = base; where n is even, also 0 <= root.
   void add_root(const algebra::Theorem& is, const algebra::Theorems& sign);
   /// The cosine c of pi/d, 6 < d < 36, from c^n = a polynomial in c whose greatest zero it is.
   void add_cosine(int d, const algebra::Theorem& is);
 
+  explicit Enclosures(const algebra::Theorems& equations) : facts(equations) {}
+
 private:
+  const algebra::Theorems& facts;
   std::map<Expr, Bounds> known;
+  Bounds found(Expr constant);
   static Bounds shown(Expr e, const cln::cl_RA& low, const cln::cl_RA& high,
-                      const algebra::Theorems& facts);
+                      const algebra::Theorems& above, const algebra::Theorems& below);
+  static Bounds product(Expr e, const Bounds& x, const Bounds& y);
+  static Bounds inverse(Expr e, const Bounds& x);
 };
 
 /// |- sum = 0: times another sum it is 0 by `facts` (monomial = term), and that one's bounds are of
 /// one sign. Refused: not found.
-algebra::Theorem vanishes(Expr sum, const algebra::Theorems& facts, const Enclosures& of);
+algebra::Theorem vanishes(Expr sum, const algebra::Theorems& facts, Enclosures& of);
 }  // namespace equality

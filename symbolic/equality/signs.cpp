@@ -138,7 +138,8 @@ int Forms::sign_of_powers(const Product& powers) {
 }
 bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
   if (sum.empty()) return !strictly;
-  if (depth > 0 && asked > most_asked) return false;
+  asked = depth == 0 ? 0 : asked;
+  if (asked > most_asked) return false;
   const auto fits = [&](int found) { return found * sign >= (strictly ? 2 : 1); };
   for (const auto& [known, strength] : assumed) {
     const cln::cl_RA ratio = sum.begin()->second / known.begin()->second;
@@ -146,7 +147,8 @@ bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
     const Sum rest = sum - known;  // z - y of z - x, where y - x is known
     if (strength * sign <= 0 || rest.size() > sum.size() || depth >= few_deep) continue;
     ++depth;
-    const bool is_sum = has_sign(rest, sign, strictly && strength * sign == 1);
+    const bool is_sum =
+        is_proved([&] { return has_sign(rest, sign, strictly && strength * sign == 1); });
     --depth;
     if (is_sum) return true;
   }
@@ -160,7 +162,6 @@ int Forms::sign_of_composite(const Sum& sum) {
   const auto known = signs.find(sum);  // not known from as deep is not known from here
   if (known != signs.end() && (known->second.first != 0 || known->second.second <= depth))
     return known->second.first;
-  if (depth == 0) asked = 0;
   if ((asked += sum.size()) > most_asked) return 0;
   ++depth;
   int sign = 0;

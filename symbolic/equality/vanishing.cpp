@@ -9,7 +9,7 @@ using algebra::Theorems;
 using kernel::le;
 using kernel::lt;
 namespace {
-constexpr int bits = 800, most_powers = 32;
+constexpr int bits = 800, most_powers = 32, most_terms = 64;
 
 const cln::cl_RA& step() {
   static const cln::cl_RA out = cln::cl_RA(1) / cln::ash(cln::cl_I(1), bits);
@@ -19,39 +19,59 @@ cln::cl_RA rounded_down(const cln::cl_RA& q) { return cln::floor1(q / step()) * 
 }  // namespace
 
 Enclosures::Bounds Enclosures::shown(Expr e, const cln::cl_RA& low, const cln::cl_RA& high,
-                                     const Theorems& facts) {
+                                     const Theorems& above, const Theorems& below) {
   const cln::cl_RA from = rounded_down(low), to = -rounded_down(-high);
-  return {from, to, algebra::linear(le(from, e), facts), algebra::linear(le(e, to), facts)};
+  return {from, to, algebra::linear(le(from, e), above), algebra::linear(le(e, to), below)};
 }
-Enclosures::Bounds Enclosures::of(Expr e) const {
-  if (e.op() == Op::Num) return shown(e, e.value(), e.value(), {});
+// x y = (x - a)(y - c) + a y + c x - a c, and c x is at least c a or c b.
+Enclosures::Bounds Enclosures::product(Expr e, const Bounds& x, const Bounds& y) {
+  const auto least = [](const cln::cl_RA& factor, const Bounds& of) {
+    return factor * (factor < 0 ? of.high : of.low);
+  };
+  const cln::cl_RA low = least(x.low, y) + least(y.low, x) - x.low * y.low,
+                   high = -least(-x.high, y) - least(-y.low, x) - x.high * y.low;
+  const Theorems both{x.above, x.below, y.above, y.below};
+  return shown(e, low, high, both + Theorems{algebra::times(x.above, y.above)},
+               both + Theorems{algebra::times(x.below, y.above)});
+}
+Enclosures::Bounds Enclosures::inverse(Expr e, const Bounds& x) {
+  if (x.low <= 0 && x.high >= 0) kernel::refuse("no bounds of " + kernel::text(e));
+  const auto side = [&](Expr of) { return x.low > 0 ? lt(0, of) : lt(of, 0); };
+  const Theorem sign = algebra::linear(side(e.arg(0)), {x.above, x.below});
+  const Theorem same = algebra::certified(side(e), {.products = {{1}}, .multipliers = {sign}});
+  const Theorem unit = algebra::equation(e * e.arg(0), 1, {sign});
+  return shown(e, 1 / x.high, 1 / x.low, {unit, algebra::times(x.below, same)},
+               {unit, algebra::times(x.above, same)});
+}
+Enclosures::Bounds Enclosures::of(Expr e) {
   if (const auto it = known.find(e); it != known.end()) return it->second;
-  const bool is_sum = e.op() == Op::Add;
-  if (!is_sum && e.op() != Op::Mul && e.op() != Op::Pow)
-    kernel::refuse("no bounds of " + kernel::text(e));
+  return known.emplace(e, found(e)).first->second;
+}
+Enclosures::Bounds Enclosures::found(Expr e) {
+  if (e.op() == Op::Num) return shown(e, e.value(), e.value(), {}, {});
+  if (is_call(e, "inv")) return inverse(e, of(e.arg(0)));
+  if (e.op() == Op::Fun || e.size() == 0) {
+    const Expr plain = algebra::reduced(e, facts);
+    if (plain == e) kernel::refuse("no bounds of " + kernel::text(e));
+    const Bounds same = of(plain);
+    const Theorem is = algebra::equation(e, plain, facts);
+    return shown(e, same.low, same.high, {is, same.above}, {is, same.below});
+  }
   const Exprs parts = e.op() == Op::Pow ? Exprs(std::size_t(e.exponent()), e.arg(0)) : e.args();
   Bounds out = of(parts[0]);
   Expr so_far = parts[0];
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const Bounds next = of(parts[i]);
-    so_far = is_sum ? so_far + parts[i] : so_far * parts[i];
-    std::vector<cln::cl_RA> corners;
-    for (const auto& x : {out.low, out.high})
-      for (const auto& y : {next.low, next.high}) corners.push_back(is_sum ? x + y : x * y);
-    Theorems facts{out.above, out.below, next.above, next.below};
-    for (const Theorem& x : {out.above, out.below})
-      for (const Theorem& y : {next.above, next.below})
-        if (!is_sum) facts.push_back(algebra::times(x, y));
-    out = shown(so_far, *std::ranges::min_element(corners), *std::ranges::max_element(corners),
-                facts);
+    so_far = e.op() == Op::Add ? so_far + parts[i] : so_far * parts[i];
+    out = e.op() != Op::Add ? product(so_far, out, next)
+                            : shown(so_far, out.low + next.low, out.high + next.high,
+                                    {out.above, next.above}, {out.below, next.below});
   }
   return out;
 }
-Theorem Enclosures::sign(Expr e, const Theorems& facts) const {
-  const Expr plain = algebra::reduced(e, facts);
-  const Bounds is = of(plain);
-  return algebra::linear(is.low > 0 ? lt(0, e) : lt(e, 0),
-                         {algebra::equation(e, plain, facts), is.above, is.below});
+Theorem Enclosures::sign(Expr e) {
+  const Bounds is = of(e);
+  return algebra::linear(is.low > 0 ? lt(0, e) : lt(e, 0), {is.above, is.below});
 }
 void Enclosures::add_root(const Theorem& is, const Theorems& sign) {
   const Expr root = kernel::canonical(algebra::left(is).arg(0));
@@ -105,13 +125,14 @@ void Enclosures::add_cosine(int d, const Theorem& is) {
   known.insert_or_assign(c, Bounds{low, high, beside(low), beside(high)});
 }
 
-Theorem vanishes(Expr sum, const Theorems& facts, const Enclosures& bounds) {
+Theorem vanishes(Expr sum, const Theorems& facts, Enclosures& bounds) {
   bounds.of(sum);  // where that is not known, powers need not be dependent
   Exprs powers{1, sum};
   Theorems zeros;
   std::optional<Theorem> dependent;
   while (!dependent) {
-    if (powers.size() > most_powers) kernel::refuse("too many powers");
+    if (powers.size() > most_powers || kernel::polynomial(powers.back()).size() > most_terms)
+      kernel::refuse("too many powers");
     zeros.push_back(kernel::assume(kernel::eq(powers.back(), 0)));
     powers.push_back(algebra::reduced(sum * powers.back(), facts));
     dependent = algebra::combination(kernel::eq(powers.back(), 0), zeros);
@@ -123,7 +144,7 @@ Theorem vanishes(Expr sum, const Theorems& facts, const Enclosures& bounds) {
       if (zeros[i].conclusion() == zero.conclusion()) other = other - factor * powers[i];
   other = kernel::canonical(other);
   const Theorem product = algebra::equation(sum * other, 0, facts);
-  const Theorem sign = bounds.sign(other, {});
+  const Theorem sign = bounds.sign(other);
   const int side = sign.conclusion().arg(0) == other ? -1 : 1;
   return algebra::certified(kernel::eq(sum, 0),
                             {.equations = {{side, product}}, .multipliers = {sign}});
