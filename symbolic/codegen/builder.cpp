@@ -25,7 +25,9 @@ int Builder::add(Node n) {
     if (numbers != Numbers::field) throw;
     n.range = {-infinity, infinity};  // a field's numbers are of any size
   }
-  if (n.range.least() > 0)
+  if (n.op == Op::power)
+    n.least = least_power(numbers == Numbers::wide);  // which the program puts in place of less
+  else if (n.range.least() > 0)
     n.least = n.range.least();
   else if (n.op == Op::product || n.op == Op::exact_product)
     n.least = program[n.of[0]].least * program[n.of[1]].least;
@@ -70,7 +72,7 @@ Interval Builder::range_of(const Node& n) const {
       return {std::floor(ratio.low), std::ceil(ratio.high)};
     }
     case Op::power:
-      return {least_power(numbers == Numbers::wide), 1};
+      return {0, 1};
     case Op::turn:
       return {-1, 1};
     case Op::step:

@@ -32,6 +32,10 @@ std::string emit_doubling(const Doubling& t, const Domain& d) {
   const Exprs heads{f, head(d, t.at_1), even, head(d, t.odd)};
   if (!is_integer || heads != Exprs{at(f, 0), at(f, 1), at(f, 2 * m), at(f, 2 * m + 1)})
     throw Refused("not f at 0, 1, 2*m and 2*m + 1: " + kernel::text(t.even.conclusion()));
+  for (const Theorem& step : {t.even, t.odd})
+    for (Expr h : step.hypotheses())
+      if (kernel::free_variables(h).contains(m))
+        throw Refused("not for every m: " + kernel::text(h));
   Builder terms(Numbers::field);
   std::string parameters;  // f at 0 has no others
   for (Expr p : kernel::free_variables(f)) {
@@ -74,7 +78,7 @@ std::string call_doubling(const Doubling& t, Expr term, Builder& terms) {
   const Expr index = term.arg(term.size() - 1);
   const bool is_odd = index.op() == kernel::Op::Add && index.size() == 2 && index.arg(1) == Expr(1);
   const Expr x = half_of(is_odd ? index.arg(0) : index);
-  const bool is_known = bool(x) && (x.op() == kernel::Op::Var || x.op() == kernel::Op::Fun);
+  const bool is_known = bool(x) && terms.nodes.contains(x) && terms.range(x).low >= 0;
   if (!is_known || !(term == at(f, index)))
     throw Refused("not f at 2*x or 2*x + 1: " + kernel::text(term));
   const std::string pair = cpp_name(f) + "_at_" + identifier(x.name());

@@ -282,17 +282,18 @@ Emitted emit_evaluator(const Quantity& q, const Ids& ids) {
   const std::string main = q.has_arrays ? "  template <class Tier, class N> using Main = " + Q +
                                               capital(q.cases[0].name) + "<Tier, N>;\n"
                                         : "";
-  e.header = broken(
-      opening("// " + q.name + " in DoubleDouble, from " + q.labels + ". Bounds: errors.txt.",
-              {"\"magicmass/evaluators/polynomials.hpp\""}) +
-      "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q) + e.header +
-      "struct " + Q + " : Evaluator<" + Q + "Inputs, " + Q + "Outputs" + of_arrays + "> {\n" +
-      main +
-      "  template <bool is_wide, class F>\n"
-      "  [[gnu::always_inline]] static double visit(const Inputs& in, F f) {\n" +
-      visits +
-      "    return 1.0;\n  }\n};\n"
-      "}  // namespace magicmass::generated::inline MAGICMASS_TARGET\n");
+  e.header =
+      broken(opening("// " + q.name + " in DoubleDouble" +
+                         (q.labels.empty() ? "" : ", from " + q.labels) + ". Bounds: errors.txt.",
+                     {"\"magicmass/evaluators/polynomials.hpp\""}) +
+             "\nnamespace magicmass::generated::inline MAGICMASS_TARGET {\n" + structures(q) +
+             e.header + "struct " + Q + " : Evaluator<" + Q + "Inputs, " + Q + "Outputs" +
+             of_arrays + "> {\n" + main +
+             "  template <bool is_wide, class F>\n"
+             "  [[gnu::always_inline]] static double visit(const Inputs& in, F f) {\n" +
+             visits +
+             "    return 1.0;\n  }\n};\n"
+             "}  // namespace magicmass::generated::inline MAGICMASS_TARGET\n");
   e.manifest = {manifest_entry(q, "evaluator", e.path, ids, bounds)};
   return e;
 }

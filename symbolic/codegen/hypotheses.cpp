@@ -7,9 +7,12 @@
 namespace codegen {
 namespace {
 
-/// Whether a formula follows from the ranges; what has no range is not known.
+bool has_power(Expr e) { return e.name() == "pow" || std::ranges::any_of(e.args(), has_power); }
+/// Whether a formula follows from the ranges; what has no range is not known, nor is a power, for
+/// its base may be a little above 1.
 bool holds(const Domain& d, Expr f) {
   const Exprs parts = f.args();
+  if (has_power(f)) return false;
   if (f.op() == kernel::Op::And)
     return std::all_of(parts.begin(), parts.end(), [&](Expr g) { return holds(d, g); });
   if (f.op() != kernel::Op::Lt && f.op() != kernel::Op::Le && f.op() != kernel::Op::Eq)
@@ -61,7 +64,7 @@ std::string domain_in_words(const Quantity& q, const Case& c, bool is_exact) {
     const Interval r = range_of(i, c, false);
     const auto end = [&](double x) { return i.is_whole() ? kernel::digits(exact(x)) : hex(x); };
     const bool is_any = is_exact && !i.is_whole();
-    const std::string any = r.low > 0 ? " > 0" : " >= 0";
+    const std::string any = r.low > 0 ? " > 0" : r.low < 0 ? " any" : " >= 0";
     const std::string from = i.may_be_zero ? " 0 or from " : " from ";
     parts.push_back(in_words(i) + (is_any ? any : from + end(r.low) + " to " + end(r.high)));
   }
@@ -100,18 +103,33 @@ Expr head(const Domain& d, const Theorem& t) {
 }
 Expr checked_head(const Domain& d, const Theorem& t) {
   const Expr name = head(d, t);
-  const Exprs parameters = kernel::signature(name.name())->params;
+  const Exprs parameters = kernel::signature(name.name())->params,
+              own = kernel::signature(name.name())->variables;
+  std::set<Expr> taken;  // no input stands in two places, or in that of another one
   for (std::size_t k = 0; k < name.size(); ++k) {
     const Expr a = name.arg(k);
+    const bool has_own =
+        k < own.size() && std::ranges::count(d.quantity.inputs, own[k], &Input::variable) > 0;
     const auto is_it = [&](const Input& input) {
+      if (taken.contains(input.variable) || (has_own && input.variable != own[k])) return false;
       const Interval r = range_of(input, d.which, d.is_wide);
       const bool is_number = a.op() == kernel::Op::Num && r.is_point();
       return a == input.variable || (is_number && exact(r.low) == a.value());
     };
     const bool is_unit = k < parameters.size() && is_at_unit(d.quantity.units, parameters[k], a);
-    if (!is_unit && std::ranges::none_of(d.quantity.inputs, is_it))
+    const auto input = std::ranges::find_if(d.quantity.inputs, is_it);
+    if (!is_unit && input != d.quantity.inputs.end()) taken.insert(input->variable);
+    if (!is_unit && input == d.quantity.inputs.end())
       throw Refused(kernel::text(a) + " is no input here: " + kernel::text(t.conclusion()));
   }
   return name;
+}
+std::string name_of_recursion(const Theorem& t) {
+  static const std::map<std::string, std::string> names{
+      {"|- turn_0 = 1 and (0 <= j implies turn_(j + 1) = -turn_j)", "turn"},
+      {"|- pow_0 = 1 and (0 <= j implies pow_(j + 1) = y*pow_j)", "pow"}};
+  const auto found = names.find(kernel::text(t));  // no two theorems have one text
+  if (found == names.end()) throw Refused("no recursion of pow or turn: " + kernel::text(t));
+  return found->second;
 }
 }  // namespace codegen

@@ -12,7 +12,9 @@ public:
       : Builder(of), q(quantity), c(which) {
     for (const Input& i : q.inputs) {
       const std::string name = i.variable.name();
-      const Interval range = codegen::range_of(i, c, domain.is_wide);
+      Interval range = codegen::range_of(i, c, domain.is_wide);
+      if (numbers == Numbers::field && !i.is_whole())  // of which no more is said, and none tested
+        range = {range.low > 0 ? 0x1p-1074 : range.low < 0 ? -infinity : 0, infinity};
       const bool is_variable = i.variable.op() == kernel::Op::Var;
       if (!is_plain() && !(range.low >= 0)) throw Refused(name + " may be negative");
       if (!is_plain() && !is_variable) throw Refused(name + " is no variable");
@@ -20,6 +22,8 @@ public:
         throw Refused(name + " may be 0 in evaluators of single numbers alone");
       nodes[i.variable] = input(i.name(), i.is_whole(), range, i.may_be_zero);
     }
+    for (const Theorem& t : q.recursions) recursions.insert(name_of_recursion(t));
+    if (is_plain() && !c.divisors.empty()) throw Refused("divisors are tested in evaluators alone");
     for (const Condition& w : c.where) {
       const auto is_it = [&](const Input& i) { return i.variable.name() == w.name; };
       if (std::ranges::none_of(q.inputs, is_it))

@@ -25,8 +25,9 @@ public:
   /// Whether each operation of a theorem is one of the number type, as it is.
   bool is_plain() const { return numbers != Numbers::doubles && numbers != Numbers::wide; }
 
-  std::map<Expr, int> nodes;   ///< of what is known: inputs, names, terms already built
-  std::map<int, int> squares;  ///< nodes, for arctangents
+  std::map<Expr, int> nodes;         ///< of what is known: inputs, names, terms already built
+  std::map<int, int> squares;        ///< nodes, for arctangents
+  std::set<std::string> recursions;  ///< pow and turn, if a theorem says that they are that
   /// Refused: a name without a definition, an operation that there is none for.
   int build(Expr e);
   Interval range(Expr e) { return program[build(e)].range; }
@@ -95,6 +96,8 @@ void check_hypotheses(const Domain& d, const Exprs& hypotheses, Expr conclusion)
 Expr head(const Domain& d, const Theorem& t);
 /// Refused, too: a parameter that is no input, unit, or one-point interval.
 Expr checked_head(const Domain& d, const Theorem& t);
+/// "pow" or "turn" of the theorem that says so: powers, and 1 and -1 in turn. Refused: another.
+std::string name_of_recursion(const Theorem& t);
 /// The formula with names at their parameters in place of units: a_n, not a_n(alpha, 1).
 std::string shown(const Quantity& q, Expr formula);
 /// The function template that goes to f(params, 2n) and f(params, 2n + 1) in as many steps as n has

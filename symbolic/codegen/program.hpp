@@ -138,6 +138,7 @@ struct Quantity {
   std::vector<Case> cases;          ///< disjoint
   kernel::Substitution units = {};  ///< parameters that are no inputs, and their value: V is 1
   std::optional<Doubling> doubling = {};  ///< of exact forms: a sequence at 2*x and 2*x + 1
+  Theorems recursions = {};               ///< what pow and turn are, where these are used
   bool has_arrays = false;                ///< the first case is evaluated a register at a time, too
   bool is_tested = true;                  ///< whether tiers that test roundings test its own
 };

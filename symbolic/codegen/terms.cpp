@@ -56,7 +56,7 @@ int Builder::function(Expr e) {
   const Op op = found->second;
   if (op == Op::quotient) return product({e});
   if (numbers == Numbers::field) throw Refused("no operation of a field: " + kernel::text(e));
-  if ((op == Op::power || op == Op::turn) && is_plain())
+  if ((op == Op::power || op == Op::turn) && (is_plain() || !recursions.contains(e.name())))
     throw Refused("no definition of " + kernel::text(e));
   if (op == Op::power) return power(build(e.arg(0)), build(e.arg(1)));
   if (op == Op::turn) return turn(build(e.arg(0)));

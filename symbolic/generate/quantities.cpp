@@ -114,6 +114,7 @@ private:
          const kernel::Theorems t = made.source.at(text(), quantity().units);
          quantity().doubling = {t.at(0), t.at(1), t.at(2), t.at(3)};
        }},
+      {"recursions:", [this] { quantity().recursions = made.source.at(text(), quantity().units); }},
       {"inputs:",
        [this] {
          for (const Condition& c : ranges())

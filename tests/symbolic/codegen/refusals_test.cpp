@@ -3,6 +3,7 @@
 
 #include "codegen/emit.hpp"
 #include "codegen/errors.hpp"
+#include "generate/quantities.hpp"
 #include "kernel/names.hpp"
 #include "notation/typed.hpp"
 #include "rows.hpp"
@@ -36,15 +37,17 @@ double bound(const Quantity& q) {
   codegen::Plan plan;
   return codegen::Absorber(p, plan).bounded(analysis(q).outputs.at(0));
 }
+/// The same conclusion under more hypotheses.
+Theorem under(Exprs hypotheses, const Theorem& t) {
+  Theorems from{t};
+  for (Expr h : hypotheses) from.push_back(assume(h));
+  return tautology(t.conclusion(), from);
+}
 void refuses(const Quantity& q, const std::string& why) {
   CHECK_THROWS_WITH(analysis(q), ContainsSubstring(why));
 }
 
-/// f_0 = 1, f_1 = alpha, f_(2m) = 2 f_m^2 - 1, f_(2m+1) = 2 f_m f_(m+1) - f_1: for their shape.
-Expr f(Expr index) {
-  if (!is_known("doubled")) declare("doubled", {{Sort::Real, Sort::Int}, Sort::Real});
-  return fun("doubled", {alpha, index});
-}
+Expr f(Expr index) { return fun("doubled", {alpha, index}); }
 }  // namespace
 
 TEST_CASE("H1: an arctangent of what has no relative bound is refused, not called exact") {
@@ -104,7 +107,7 @@ TEST_CASE("what is refused, in which range and as what, is as in refusals.tsv; H
     const Interval range{std::stod(row[2]), std::stod(row[3])};
     const auto act = [&] {
       if (row[0] == "hypothesis")
-        analysis(quantity(tautology(one.conclusion(), {one, assume(given)}), range));
+        analysis(quantity(under({given}, one), range));
       else if (row[0] == "evaluator")
         analysis(quantity(definition(given), range));
       else
@@ -189,26 +192,88 @@ TEST_CASE("a form that is negative or not a number is refused") {
   CHECK(f.empty());
 }
 TEST_CASE("a doubling needs its four theorems in their shape, and what they need to hold") {
-  const Theorem at_0 = assume(eq(f(0), 1)), at_1 = assume(eq(f(1), alpha));
-  const Theorem even = assume(eq(f(2 * m), 2 * power(f(m), 2) - 1));
-  const Theorem odd = assume(eq(f(2 * m + 1), 2 * f(m) * f(m + 1) - f(1)));
+  const Theorem f_is = define("doubled", {alpha, m}, alpha * m);
+  using Shares = std::vector<std::pair<Expr, Expr>>;
+  const auto by = [&](Expr goal, const Shares& shares) {  // of f at each index
+    Certificate c;
+    for (const auto& [share, i] : shares)
+      c.equations.push_back({share, instantiate(f_is, {{m, i}})});
+    return arithmetic(goal, c);
+  };
+  const Theorem at_0 = by(eq(f(0), 0), {{1, 0}}), at_1 = by(eq(f(1), alpha), {{1, 1}});
+  const Theorem even = by(eq(f(2 * m), 2 * f(m)), {{1, 2 * m}, {-2, m}});
+  const Theorem odd = by(eq(f(2 * m + 1), f(m) + f(m + 1)), {{1, 2 * m + 1}, {-1, m}, {-1, m + 1}});
   const codegen::PlainForm any{quantity(definition(1 + alpha), {0, 1}), "exact"};
-  // The hypotheses of these are their conclusions: only a domain that knows of them takes them.
-  const auto known = [](Expr) { return Interval{0, 0}; };
-  const codegen::Domain knowing{any.quantity, any.quantity.cases[0], false, known};
+  const codegen::Domain knowing{any.quantity, any.quantity.cases[0], false, [](Expr) {
+                                  return Interval{0, 0};
+                                }};
   const codegen::Domain plain{any.quantity, any.quantity.cases[0], false,
                               [](Expr) -> Interval { throw codegen::Refused("not known"); }};
   const Doubling right{at_0, at_1, even, odd};
-  CHECK_THAT(codegen::emit_doubling(right, knowing), ContainsSubstring("high = Number(2) * (high"));
-  CHECK_THROWS_WITH(codegen::emit_doubling(right, plain), ContainsSubstring("do not give"));
+  CHECK_THAT(codegen::emit_doubling(right, plain), ContainsSubstring("high = Number(2) * high"));
+  const Theorem late = under({le(1, m)}, even);
+  const Theorem ahead = by(eq(f(2 * m), 2 * f(m + 1) - 2 * alpha), {{1, 2 * m}, {-2, m + 1}});
+  const auto refuses_even = [&](const Theorem& other, const codegen::Domain& d,
+                                const std::string& why) {
+    CHECK_THROWS_WITH(codegen::emit_doubling({at_0, at_1, other, odd}, d), ContainsSubstring(why));
+  };
+  refuses_even(late, plain, "do not give");
+  refuses_even(late, knowing, "not for every m");
+  refuses_even(ahead, plain, "no definition of");
+  refuses_even(by(eq(f(m * 2), 2 * f(m)), {{1, m * 2}, {-2, m}}), plain, "not f at 0");
   for (const Doubling& wrong : {Doubling{at_1, at_1, even, odd}, Doubling{at_0, at_0, even, odd},
-                                Doubling{at_0, at_1, odd, odd}, Doubling{at_0, at_1, even, even},
-                                Doubling{at_0, at_1, assume(eq(f(m * 2), f(m))), odd}})
-    CHECK_THROWS_WITH(codegen::emit_doubling(wrong, knowing), ContainsSubstring("not f at 0"));
-  const Doubling ahead{at_0, at_1, assume(eq(f(2 * m), f(m + 1))), odd};
-  CHECK_THROWS_WITH(codegen::emit_doubling(ahead, knowing), ContainsSubstring("no definition of"));
-  codegen::Builder terms(codegen::Numbers::field);
+                                Doubling{at_0, at_1, odd, odd}, Doubling{at_0, at_1, even, even}})
+    CHECK_THROWS_WITH(codegen::emit_doubling(wrong, plain), ContainsSubstring("not f at 0"));
+  codegen::Builder terms(codegen::Numbers::field), negative = terms;
   CHECK_THROWS_WITH(codegen::call_doubling(right, f(3 * m), terms), ContainsSubstring("2*x + 1"));
+  negative.nodes[m] = negative.input("m", true, {-1, 9});
+  CHECK_THROWS_WITH(codegen::call_doubling(right, f(2 * m), negative),
+                    ContainsSubstring("2*x + 1"));
+  terms.nodes[m] = terms.input("m", true, {0, 9});
   CHECK(codegen::call_doubling(right, f(2 * m) + f(2 * m + 1), terms).find("doubled_at_m") !=
         std::string::npos);
+}
+TEST_CASE("an input stands in its own place, once") {
+  const Expr beta = real("beta");
+  const Theorem difference = definition(alpha - beta, {alpha, beta});
+  const auto at = [&](Expr first, Expr second) {
+    Quantity q = quantity(instantiate(difference, {{alpha, first}, {beta, second}}), {3, 3});
+    q.inputs.push_back({beta, {1, 2}, {1, 2}});
+    return q;
+  };
+  CHECK_NOTHROW(analysis(at(alpha, beta)));
+  CHECK_NOTHROW(analysis(at(3, beta)));
+  refuses(at(beta, alpha), "beta is no input here");
+  refuses(at(beta, beta), "beta is no input here");
+  refuses(at(alpha, alpha), "alpha is no input here");
+  refuses(at(alpha, 3), "3 is no input here");
+}
+TEST_CASE("pow and turn are what a theorem says that they are, and of powers no range is known") {
+  const auto all = generate::evaluators();
+  const Theorems recursions = std::ranges::find(all, "restitution", &Quantity::name)->recursions;
+  Quantity q = quantity(definition(1 + fun("pow", {alpha, 5}) * fun("turn", {5})));
+  refuses(q, "no definition of");
+  q.recursions = recursions;
+  CHECK_NOTHROW(analysis(q));
+  for (const Theorem& other : {assume(recursions[0].conclusion()), definition(alpha)}) {
+    q.recursions = {recursions[1], other};
+    refuses(q, "no recursion of pow or turn");
+  }
+  q = quantity(under({le(fun("pow", {alpha, 5}), 1)}, definition(1 + alpha)));
+  q.recursions = recursions;
+  refuses(q, "do not give pow_5(alpha) <= 1");
+}
+TEST_CASE("exact forms, which test no number, need no more than its sign; plain ones no divisor") {
+  const Theorem one = definition(1 + alpha);
+  const auto emitted = [&](Expr hypothesis, Interval range, const std::string& form) {
+    Quantity q = quantity(under({hypothesis}, one), range);
+    if (form == "closed") q.cases[0].divisors = {"one"};
+    return codegen::emit_plain({{q, form}}, {}).header;
+  };
+  CHECK_THAT(emitted(lt(0, alpha), {0.5, 1}, "exact"), ContainsSubstring("Domain: alpha > 0."));
+  CHECK_THAT(emitted(le(0, 1), {-1, 1}, "exact"), ContainsSubstring("Domain: alpha any."));
+  CHECK_THROWS_WITH(emitted(le(alpha, 1), {0.5, 1}, "exact"), ContainsSubstring("do not give"));
+  CHECK_THROWS_WITH(emitted(le(Expr(1) / 4, alpha), {0.5, 1}, "exact"),
+                    ContainsSubstring("do not give"));
+  CHECK_THROWS_WITH(emitted(lt(0, alpha), {0.5, 1}, "closed"), ContainsSubstring("alone"));
 }
