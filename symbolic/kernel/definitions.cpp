@@ -44,7 +44,7 @@ Theorem define(const std::string& name, const Exprs& params, Expr term, int hidd
                  .rows = term.rows(),
                  .cols = term.cols(),
                  .variables = params,
-                 .body = predicate ? term : Expr()});
+                 .body = term});
   const Expr left = fun(name, params);
   return Theorem({}, predicate ? iff(left, term) : eq(left, term), {"define", {}, {left, term}});
 }
@@ -162,8 +162,9 @@ private:
   }
   void of_function(Expr e, const Exprs& guards) {
     const Signature& s = *signature(e.name());
-    if (s.body) collect(substitute(s.body, s.variables, e.args()), guards);
     const auto it = domains().find(e.name());
+    if (s.body && (it == domains().end() || s.result == Sort::Bool))
+      collect(substitute(s.body, s.variables, e.args()), guards);
     if (it == domains().end()) return;
     need(substitute(it->second.condition, it->second.params, e.args()), guards);
   }

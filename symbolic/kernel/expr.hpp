@@ -118,7 +118,10 @@ Expr sum(const Exprs& terms);
 Expr product(const Exprs& factors);
 constexpr int max_exponent = 1000000;
 Expr power(Expr base, int exponent);  ///< exponent from 1 to max_exponent
-Expr eq(Expr l, Expr r);              ///< of numbers, or of matrices of one shape
+template <class T>
+requires(std::is_arithmetic_v<T> && !std::same_as<T, int>) Expr power(Expr base, T exponent)
+= delete;
+Expr eq(Expr l, Expr r);  ///< of numbers, or of matrices of one shape
 Expr lt(Expr l, Expr r);
 Expr le(Expr l, Expr r);
 Expr neq(Expr l, Expr r);

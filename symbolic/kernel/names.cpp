@@ -60,7 +60,7 @@ std::string why_no_index(const std::string& name, const Signature& s) {
 
 bool Signature::indexed() const { return std::ranges::count(args, Sort::Int) > 0; }
 std::string Signature::separator(std::size_t i) const {
-  if (!body || i == 0) return ", ";
+  if (!body || result != Sort::Bool || i == 0) return ", ";
   const auto letter = [](Expr v) { return v.name().substr(0, v.name().find('_') + 1); };
   return letter(variables[i - 1]) == letter(variables[i]) ? ", " : "; ";
 }

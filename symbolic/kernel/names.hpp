@@ -13,7 +13,7 @@ struct Signature {
   int rows = 0;
   int cols = 0;
   Exprs variables = {};
-  Expr body = {};  ///< of a predicate: what it says of `variables`
+  Expr body = {};  ///< what it is defined as, of `variables`
 
   bool indexed() const;  ///< an integer is printed as an index: a_n
   /// Before argument i: "; " where the variables of a predicate change their letter, else ", ".

@@ -212,7 +212,7 @@ private:
       return std::any_of(free.begin(), free.end(), [&](Expr v) { return v.name() == name; });
     };
     if (!taken(wanted)) return wanted;
-    const std::string start = wanted.substr(0, wanted.find('\''));
+    const std::string start = wanted.substr(0, std::min<std::size_t>(wanted.find('\''), 40));
     std::string out = start + "'";
     for (int k = 2; taken(out); ++k) out = start + std::to_string(k);
     return out;

@@ -50,12 +50,29 @@ std::map<std::string, std::string> seeing(const std::vector<fs::path>& folders) 
     if (file.find("symbolic/") != file.npos) take(file);
   return found;
 }
-const std::string no_header = "code that is no header";
+const std::string no_header = "code that is no header", of_kernel = "a function of the kernel";
+/// kernel::f(...) and a brace: its own function, made anew.
+bool defines_function_of_kernel(const std::string& code) {
+  static const std::regex head(R"(\w+\()"), tail(R"( ?(noexcept ?|try ?|-> ?[\w:<>]+ ?)*\{)");
+  constexpr auto here = std::regex_constants::match_continuous;
+  for (std::size_t at = code.find("kernel::"); at != code.npos; at = code.find("kernel::", at)) {
+    at += 8;
+    const auto start = code.begin() + std::ptrdiff_t(at);
+    std::smatch name;
+    if (!std::regex_search(start, code.end(), name, head, here)) continue;
+    auto end = start + name.length();
+    for (int open = 1; open > 0 && end != code.end(); ++end)
+      open += *end == '(' ? 1 : *end == ')' ? -1 : 0;
+    if (std::regex_search(end, code.end(), tail, here)) return true;
+  }
+  return false;
+}
 /// Those by which the rows of the table are found.
 std::set<std::string> forging_words() {
   std::set<std::string> words;
   for (const auto& row : rows_of("symbolic/kernel/forged.tsv", 2)) words.insert(row[1]);
   words.erase(no_header);
+  words.erase(of_kernel);
   return words;
 }
 /// "file: word" for each forging word in it.
@@ -68,6 +85,8 @@ std::vector<std::string> forged(const std::vector<fs::path>& folders) {
         out.push_back(fs::path(file).filename().string() + ": " + word);
     if (std::regex_search(code, std::regex(R"(#include "[^"]*\.cpp")")))
       out.push_back(fs::path(file).filename().string() + ": " + no_header);
+    if (defines_function_of_kernel(code))
+      out.push_back(fs::path(file).filename().string() + ": " + of_kernel);
   }
   return out;
 }
@@ -97,8 +116,8 @@ TEST_CASE("a planted forgery is found, and named") {
   plant("kernel/rules.cpp", "namespace kernel { }");
   plant("honest.cpp", "using namespace kernel;\n// no cast here\nint x = kernel::f();\n");
   CHECK(forged({folder}).empty());
-  CHECK(forging_words().size() == 28);
-  for (const auto& row : rows_of("symbolic/kernel/forged.tsv", 2, 36)) {
+  CHECK(forging_words().size() == 26);
+  for (const auto& row : rows_of("symbolic/kernel/forged.tsv", 2, 38)) {
     const std::string code = std::regex_replace(row[0], std::regex(R"(\\n)"), "\n");
     INFO(code);
     plant("forged.cpp", code);

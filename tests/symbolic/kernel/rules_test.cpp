@@ -227,6 +227,8 @@ TEST_CASE("hypotheses are read, too, and predicates are unfolded") {
   define("power_of", {x}, x + 1);
   restrict_domain("power_of", {y}, lt(0, y));
   CHECK(words(needs(assume(eq(1 / x, y)))) == "x != 0; 1/x = y implies x != 0");
+  define("seen_inverse", {x}, 1 / x);
+  CHECK(words(needs(eq(fun("seen_inverse", {y}), 0))) == "y != 0");
   CHECK(words(needs(fun("inverse_of", {x + 1, 2}))) == "x + 1 != 0");
   CHECK(words(needs(eq(fun("power_of", {x / y}), 0))) == "y != 0; 0 < x/y");
 }

@@ -15,6 +15,11 @@ template <class T>
 concept times_expr = requires(Expr e, T t) {
   e* t;
 };
+template <class T>
+concept is_exponent = requires(Expr e, T t) {
+  power(e, t);
+};
+static_assert(is_exponent<int> && !is_exponent<double> && !is_exponent<long>);
 static_assert(makes_expr<int> && makes_expr<cln::cl_RA> && times_expr<int>);
 static_assert(!makes_expr<double> && !makes_expr<float> && !times_expr<double>);
 static_assert(!makes_expr<long> && !makes_expr<unsigned> && !makes_expr<long long>);
@@ -74,6 +79,8 @@ TEST_CASE("names are identifiers and mean one thing for ever") {
           made({.op = Op::Var, .name = "formula", .variable = Sort::Bool}));
   CHECK_NOTHROW(real(std::string(60, 'x')));
   CHECK_NOTHROW(real("x'"));
+  const Expr v = real(std::string(60, 'v'));
+  CHECK(text(all(v, all(v, all(v, eq(v, 0))))).size() > 150);  // two names for it
   CHECK_NOTHROW(real("height_t"));
   CHECK(integer("i") == i);
 }
