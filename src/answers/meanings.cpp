@@ -44,9 +44,12 @@ Expr definition_of(const std::string& name) {
   for (const Definition& d : definitions)
     if (name == d.typed) return derivation::shown(d.id).conclusion();
   const std::size_t from = name.find_last_not_of("0123456789") + 1;
-  if (from >= name.size() || name[from] == '0' || name.size() - from > 9) return {};
-  const Expr of_k = definition_of(name.substr(0, from) + "k");  // alpha_7
-  return of_k ? substitute(of_k, {{integer("k"), std::stoi(name.substr(from))}}) : of_k;
+  const bool is_0 = name.substr(from) == "0";
+  if (from >= name.size() || (name[from] == '0' && !is_0) || name.size() - from > 9) return {};
+  for (const char* index : {"k", "n"})  // alpha_7, a_7; alpha_0 would be infinite
+    if (const Expr of = definition_of(name.substr(0, from) + index); of && !(is_0 && *index == 'k'))
+      return substitute(of, {{integer(index), std::stoi(name.substr(from))}});
+  return {};
 }
 
 }  // namespace

@@ -171,6 +171,9 @@ Row end_of(const Asked& in, const Alpha& restitution) {
       return std::vector{v.a_t, v.b_t, v.c_t, v.rho};
     };
     const auto balls = [&] { return answers::terminal(in.alpha, counts); };
+    const auto* ratio = std::get_if<notation::Threshold>(&in.alpha);
+    if (in.wants_fractions && ratio && ratio->is_magic)  // magic.terminal
+      return concatenated({count_cells(counts), real_cells({0, 1, 0, 1})});
     return concatenated({count_cells(counts), in.cells(counts.N_A, "cycles", exactly, balls)});
   }
   if (in.number != nullptr && loss != nullptr)

@@ -114,7 +114,7 @@ Program magicmass() {
                    {"quantity", "LIST", "a header with these alone, such as a_t,rho, to stdout"},
                    {"scene", "FILE", "one header with what a scene's outputs need, to stdout"},
                    {"form", "FORM",
-                    "of such a header; tangent, of a scene restitution, unless told otherwise",
+                    "of such a header; tangent unless told otherwise, restitution of other scenes",
                     forms}},
        .formats = {"text"},
        .run = generate_files},

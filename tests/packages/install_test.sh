@@ -20,8 +20,8 @@ diff <(in_readme text) <("$scratch/found/example_terminal")
 
 pc=$(dirname "$(find "$scratch/prefix" -name magicmass.pc)")
 # shellcheck disable=SC2046
-c++ "$examples/terminal.cpp" $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs magicmass) \
-  -o "$scratch/by_pkg_config"
+c++ -std=c++20 "$examples/terminal.cpp" \
+  $(PKG_CONFIG_PATH=$pc pkg-config --cflags --libs magicmass) -o "$scratch/by_pkg_config"
 diff <(in_readme text) <("$scratch/by_pkg_config")
 
 "$scratch/prefix/bin/magicmass" generate --quantity b_t,rho >"$scratch/wanted.hpp"

@@ -26,7 +26,7 @@ cmake -S "$source/examples" -B "$scratch/found" \
   -Dmagicmass_DIR="$scratch/prefix/own/lib/cmake/magicmass" >/dev/null
 cmake --build "$scratch/found" -j2 >/dev/null
 # shellcheck disable=SC2046
-c++ "$source/examples/terminal.cpp" -o "$scratch/by_pkg_config" \
+c++ -std=c++20 "$source/examples/terminal.cpp" -o "$scratch/by_pkg_config" \
   $(PKG_CONFIG_PATH="$scratch/prefix/own/lib/pkgconfig" pkg-config --cflags --libs magicmass)
 "$scratch/by_pkg_config" | grep -q '^3 + 3 collisions'
 if [[ -e $scratch/prefix/bin ]]; then exit 1; fi

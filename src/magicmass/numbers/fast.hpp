@@ -27,13 +27,13 @@ std::optional<Terminal> terminal(double alpha);
 /// most 4 envelopes of max(1/2, (|alpha y_alpha| + |e y_e|)/|2 y|) ulp, counts are exact. nullopt:
 /// the collisions never end (accurate::collapse; decided exactly), or accurate's where e is 1.
 /// Throws Undecided where 1 - (1 - e)^2/(4 e alpha (2 + alpha)), which is 0 where collapse begins,
-/// is above 0 and below 2^-80, or where more than 2^62 collisions take place with e < 1, or more
+/// is above 0 and below 2^-80, or where more than some 2^62 collisions take place, e < 1, or more
 /// than two with e below 2^-380.
 std::optional<Terminal> terminal(double alpha, double e);
 /// The same for any masses, or two and a wall: within 4 envelopes of max(1/2, (|m y_m| + |w y_w| +
 /// |e y_e|)/|2 y|) ulp, m and w those of `masses`, and before a wall, where all may come to rest,
 /// within 2^-190 at least; a wall's velocity and share are 0. InvalidInput unless m is positive, w
-/// not negative and both finite. Undecided also where more than 2^62 take place with e = 1, or more
-/// than two with M_A/M_B above 2^128 or M_C/M_A above 2^190.
+/// not negative and both finite. Undecided also where more than some 2^62 take place with e = 1, or
+/// more than two with M_A/M_B above 2^128 or M_C/M_A above 2^190.
 std::optional<Terminal> terminal(const Masses& masses, double e);
 }  // namespace magicmass::fast

@@ -49,8 +49,10 @@ void check(double alpha, const char* name = "alpha") {
 }
 [[noreturn]] void refuse_cycle(double alpha, std::int64_t n) {
   check(alpha);
-  throw InvalidInput("n must be from 0 to N_A = " + std::to_string(counts_or_most(alpha).N_A) +
-                     ", got " + std::to_string(n));
+  const std::int64_t N_A = counts_or_most(alpha).N_A;
+  throw InvalidInput("n must be from 0 to N_A" +
+                     (N_A == INT64_MAX ? "" : " = " + std::to_string(N_A)) + ", got " +
+                     std::to_string(n));
 }
 Collision collision(Tier tier, double alpha, std::int64_t j) {
   Collision c;
@@ -60,7 +62,8 @@ Collision collision(Tier tier, double alpha, std::int64_t j) {
   const Counts counts = counts_or_most(alpha);
   const std::uint64_t last = std::uint64_t(counts.N_A) + std::uint64_t(counts.N_B) - 1;
   if (j < 0 || std::uint64_t(j) > last)
-    throw InvalidInput("j must be from 0 to N_A + N_B - 1 = " + std::to_string(last) + ", got " +
+    throw InvalidInput("j must be from 0 to N_A + N_B - 1" +
+                       (counts.N_A == INT64_MAX ? "" : " = " + std::to_string(last)) + ", got " +
                        std::to_string(j));
   return certain(kernels().collision, tier + 1, alpha, j);
 }

@@ -16,7 +16,7 @@ inline constexpr long last_bits = 8192;
 
 /// MPFR keeps pi, for each thread.
 struct Cache {
-  ~Cache() { mpfr_free_cache(); }
+  ~Cache() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 };
 /// All of MPFR's exponents, and after it the caller's again, with their flags.
 class AllExponents {

@@ -144,7 +144,7 @@ bool restitution_by_mpfr(Terminal& result, Masses masses, double e) {
     Case<Ziv, MpfrFloat> k({M_C, w_B, e});
     const double doubt = run(k);
     if (is_above(0x1p-80, k.share_e) || is_above(0x1p-124, k.z_e))
-      throw Undecided("restitution: too near to inelastic collapse, or above 2^62 collisions");
+      throw Undecided("restitution: too near to inelastic collapse, or above some 2^62 collisions");
     set(result, k.outputs());
     has_case = true;
     return doubt;

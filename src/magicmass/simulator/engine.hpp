@@ -6,7 +6,6 @@
 #include <bit>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <tuple>
 
 #include "magicmass/simulator/rounding_margin.hpp"
@@ -91,9 +90,7 @@ class Engine {
 public:
   /// Throws std::invalid_argument for a line with a fault.
   explicit Engine(const Line<Scalar>& line)
-      : line_(line), due_(line.masses.size() + 1), margin_(line) {
-    if (const auto found = fault(line))
-      throw std::invalid_argument(found->key + ": " + found->what + "; allowed: " + found->allowed);
+      : line_(without_fault(line)), due_(line.masses.size() + 1), margin_(line) {
     const Scalar zero(0);
     const Scalar wall = rounds ? std::numeric_limits<Scalar>::infinity() : zero;
     all_.reserve(line.masses.size() + 2);

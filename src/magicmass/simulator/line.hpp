@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -54,13 +55,21 @@ std::optional<Fault> fault(const Line<Scalar>& line) {
     if (i > 0 && line.positions[i] < line.positions[i - 1])
       return Fault{"positions", body(i) + " is left of " + body(i - 1), "from left to right"};
   }
-  if (line.left_wall && line.positions.front() < *line.left_wall)
+  const auto is_before = [&](const Scalar& x, const Scalar& y) { return x < y || x - y == zero; };
+  if (line.left_wall && !is_before(*line.left_wall, line.positions.front()))
     return Fault{"left_wall", "right of " + body(0), "at the first body or left of it"};
-  if (line.right_wall && *line.right_wall < line.positions.back())
+  if (line.right_wall && !is_before(line.positions.back(), *line.right_wall))
     return Fault{"right_wall", "left of " + body(bodies - 1), "at the last body or right of it"};
   if (!(zero < line.restitution) || one < line.restitution)
     return Fault{"restitution", "0 or less, or above 1", "above 0, at most 1"};
   return std::nullopt;
+}
+
+template <Field Scalar>
+const Line<Scalar>& without_fault(const Line<Scalar>& line) {
+  if (const auto found = fault(line))
+    throw std::invalid_argument(found->key + ": " + found->what + "; allowed: " + found->allowed);
+  return line;
 }
 
 /// What a mirror shows of a line, or of all that has members of these names.

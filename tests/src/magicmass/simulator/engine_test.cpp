@@ -178,5 +178,12 @@ TEST_CASE("a line with a fault does not move", "[exam]") {
   for (const double mass : {Limits::quiet_NaN(), Limits::infinity()})
     CHECK_THROWS_WITH(Engine<double>(with_mass(mass)),
                       "masses: that of body 2 is not finite; allowed: finite numbers");
+  CHECK_THROWS_WITH(Engine<double>({{1, 1}, {0, 1}, {}, {}, {}}),
+                    ContainsSubstring("a list of 0; allowed: as many"));
+  for (const double wall : {Limits::quiet_NaN(), 1.0}) {
+    CHECK_THROWS_WITH(Engine<double>({{1}, {0}, {-1}, wall, {}}), ContainsSubstring("left_wall"));
+    CHECK_THROWS_WITH(Engine<double>({{1}, {2}, {-1}, {}, wall}), ContainsSubstring("right_wall"));
+  }
+  CHECK_NOTHROW(Engine<double>({{1}, {1}, {-1}, 1, 1}));
   CHECK_THROWS_AS(Engine<cl_RA>({{1, 0}, {0, 1}, {1, 0}, {}, {}}), std::invalid_argument);
 }
