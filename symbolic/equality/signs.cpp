@@ -147,8 +147,8 @@ bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
     const Sum rest = sum - known;  // z - y of z - x, where y - x is known
     if (strength * sign <= 0 || rest.size() > sum.size() || depth >= few_deep) continue;
     ++depth;
-    const bool is_sum =
-        is_proved([&] { return has_sign(rest, sign, strictly && strength * sign == 1); });
+    const bool is_strict = strictly && strength * sign == 1;
+    const bool is_sum = is_proved([&] { return has_sign(rest, sign, is_strict); });
     --depth;
     if (is_sum) return true;
   }
