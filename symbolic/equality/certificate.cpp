@@ -8,8 +8,8 @@ using algebra::Theorems;
 namespace {
 constexpr std::size_t heaviest = 400;
 constexpr int highest_order = 24, most_multiplied_out = 24;
-constexpr int most_of_pi = 64;  // d of pi/d, if it has square roots
-constexpr int most_work = 100, most_of_odd = 36;
+constexpr int most_of_pi = 64, most_of_odd = 36;  // powers of primes d of pi/d
+constexpr int most_work = 100;
 
 bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
@@ -198,7 +198,7 @@ struct Roots {
             if (!t || kernel::canonical(*t) == kernel::canonical(e)) return false;
             see(*t);
             add(*t);
-            if (is_constant(*t)) is_proved([&] { return facts.push_back(bounds.sign(*t)), true; });
+            add_sign(*t);
             facts.push_back(root_is(e, *t, facts));
             return true;
           }))
@@ -256,7 +256,7 @@ std::optional<Theorem> by_squares(Expr e, const Theorems& facts) {
   }
   return {};
 }
-// q as multiples of 1/d, d powers of primes, and under 2 the halves: 9/20 is 1/4 and 1/5.
+// How often q has 1/d for each power of a prime, of 2 the halves that are left: 9/20 = 1/4 + 1/5.
 using Shares = std::map<int, cln::cl_RA>;
 Shares shares(const cln::cl_RA& q) {
   Shares out;
@@ -280,13 +280,13 @@ Shares shares(const cln::cl_RA& q) {
 }
 // How much there is to multiply out of roots, and of sines of pi/d.
 cln::cl_I work(Expr e) {
-  cln::cl_I sum = is_root(e) ? 1 : 0;
+  if (is_root(e)) return 1;
+  cln::cl_I sum = 0;
   if (is_sine(e)) {
     for (const auto& [d, a] : shares(*multiple_of_pi(e.arg(0))))
       sum = sum + (d == 2 ? cln::cl_I(0) : cln::numerator(cln::abs(a)));
     return sum;
   }
-  if (is_root(e)) return sum;
   for (Expr part : e.args()) sum = sum + work(part);
   return e.op() == Op::Pow ? sum * e.exponent() : sum;
 }

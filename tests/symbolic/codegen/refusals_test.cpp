@@ -247,6 +247,9 @@ TEST_CASE("an input stands in its own place, once") {
   refuses(at(beta, beta), "beta is no input here");
   refuses(at(alpha, alpha), "alpha is no input here");
   refuses(at(alpha, 3), "3 is no input here");
+  const Expr other = real("gamma");  // no input
+  refuses(quantity(instantiate(definition(alpha - other, {alpha, other}), {{other, alpha}})),
+          "alpha is no input here");
 }
 TEST_CASE("pow and turn are what a theorem says that they are, and of powers no range is known") {
   const auto all = generate::evaluators();
