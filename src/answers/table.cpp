@@ -61,9 +61,10 @@ std::vector<std::size_t> widths_of(const Names& columns, std::span<const Row> ro
 
 /// In the fewest digits that read back as it; -0 as 0.
 void append_number(std::string& text, auto value) {
-  std::array<char, 32> digits{};
-  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value + 0).ptr;
-  text.append(digits.data(), end);
+  constexpr std::size_t longest = 32;
+  text.resize(text.size() + longest);
+  char* const end = text.data() + text.size();
+  text.resize(std::size_t(std::to_chars(end - longest, end, value + 0).ptr - text.data()));
 }
 
 /// Broken at commas, or else blanks, where it would be too wide; lines below the first indented.

@@ -58,8 +58,8 @@ std::optional<double> read_double(std::string_view text) {
   const bool is_hex = text.size() > 2 && text[0] == '0' && (text[1] | ' ') == 'x';
   text.remove_prefix(is_hex ? 2 : 0);
   // std::from_chars knows another sign, and words for what is not finite.
-  constexpr std::string_view others = "-iInN";
-  if (text.size() > longest_alpha || others.find(text.substr(0, 1)) != text.npos) return {};
+  const int first = text.empty() ? '-' : text.front() | ' ';
+  if (text.size() > longest_alpha || first == '-' || first == 'i' || first == 'n') return {};
   double value = 0;
   const char* const end = text.data() + text.size();
   const auto format = is_hex ? std::chars_format::hex : std::chars_format::general;
