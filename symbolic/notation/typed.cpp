@@ -219,6 +219,8 @@ private:
     if (word == "e")
       note("e is read as the coefficient of restitution; the exponential function is exp(x)");
     if (word == "i") note("i is read as a real number of its own");
+    if ((word == "zeta" || word == "Gamma") && is("("))
+      note(word + "(...) is read as a product, " + word + "*(...)");
     const std::string product = word.size() == 2 ? word.substr(0, 1) + "*" + word[1] : "with *";
     const std::string index = word.substr(word.find('_') + 1);
     const bool runs_on = index == word || (is_whole(index.substr(0, 1)) && !is_whole(index));
