@@ -37,7 +37,8 @@ int Builder::add(Node n) {
                       : numbers == Numbers::single ? 0x1p120
                                                    : infinity;
   if (!(n.range.size() <= most) || (n.least > 0 && n.least < 1 / most))
-    throw Refused("a value of operation " + std::to_string(int(n.op)) + " may over- or underflow");
+    throw Refused("sizes from " + as_power_of_2(n.least) + " to " + as_power_of_2(n.range.size()) +
+                  " may over- or underflow");
   program.nodes.push_back(n);
   return seen[key] = program.size() - 1;
 }
