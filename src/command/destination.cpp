@@ -2,6 +2,7 @@
 #include <cerrno>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -98,7 +99,7 @@ void Destination::write(std::string_view text) {
 }
 
 void Destination::flush() {
-  if (target_.empty()) before_writing_();
+  if (target_.empty() && before_writing_) std::exchange(before_writing_, nullptr)();
   std::string_view rest = buffer_;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());

@@ -58,7 +58,7 @@ class ClosedPipe : public std::exception {};
 /// directly. Throws answers::InvalidInput where the system refuses.
 class Destination {
 public:
-  /// "" and "-" are stdout. Calls before_writing before anything is seen on it.
+  /// "" and "-" are stdout. Calls before_writing, once, before anything is seen on it.
   Destination(const std::string& path, std::function<void()> before_writing);
   Destination(const Destination&) = delete;
   Destination& operator=(const Destination&) = delete;
