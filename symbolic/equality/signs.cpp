@@ -4,7 +4,7 @@
 namespace equality {
 namespace {
 constexpr int deepest = 8, few_deep = 2;
-constexpr std::size_t most_asked = 400;  // terms, of all that one question leads to
+constexpr std::size_t most_asked = 1000;  // terms, of all that one question leads to
 constexpr int highest_power = 3000;
 constexpr int most_roots = 12;  // x^(1/12) is compared by its twelfth power
 int product(int a, int b) {
@@ -223,11 +223,11 @@ int Forms::sign_of_cosine(const Sum& sum) {
   const Sum argument = side == 0
                            ? scaled(quarter, above / 2)
                            : inverse_angle("atan", times(imaginary_part, integer_power(real, -1)));
-  for (int shift : {0, 1, -1}) {
+  for (int shift : {0, 1, -1, 2, -2, 3, -3, 4, -4}) {
     const Sum angle = sum_of(u) + argument + scaled(quarter, 2 * shift);
     const int sign = product(sign_of(quarter - angle), sign_of(quarter + angle));
     if (sign > 0)
-      return product(sign_of_powers(others), (side >= 0) == (shift == 0) ? sign : -sign);
+      return product(sign_of_powers(others), (side >= 0) == (shift % 2 == 0) ? sign : -sign);
   }
   return 0;
 }
