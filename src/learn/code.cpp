@@ -72,10 +72,7 @@ Cases cases_of(const Exercise& e, const Run& run) {
     const Terms terms(at_case);
     std::vector<cl_RA>& expected = cases.expected.emplace_back();
     for (const std::string& output : e.outputs) {
-      const std::string step = "[^-+*/^() 0-9][^-+*/^() ]*\\.[^-+*/^() ]*";
-      const Expr term = output == own_results            ? Expr(0)
-                        : !matched(output, step).empty() ? terms.from_step(output)
-                                                         : terms.content(output);
+      const Expr term = output == own_results ? Expr(0) : terms.stated(output);
       expected.push_back(value_of(terms.in_full(term), output));
     }
   }

@@ -33,7 +33,7 @@ public:
   explicit Equations(const Terms& terms) : terms_(terms) {
     for (const auto& [name, step] : terms.exercise.unknowns) {
       unknowns_.push_back(notation::symbol(name));
-      truth_.emplace(unknowns_.back(), terms.from_step(step));
+      truth_.emplace(unknowns_.back(), terms.stated(step));
     }
     for (const std::string& law : terms.exercise.laws) laws_.push_back(content(law));
     for (const auto& term : terms.exercise.not_zero) not_zero_.push_back(terms.content(term));

@@ -175,6 +175,11 @@ Expr Terms::from_step(const std::string& id) const {
   return answers::given_by_user("", [&] { return answers::stated_value(id); });
 }
 
+Expr Terms::stated(const std::string& text) const {
+  const std::string step = "[^-+*/^() 0-9][^-+*/^() ]*\\.[^-+*/^() ]*";
+  return matched(text, step).empty() ? content(text) : from_step(text);
+}
+
 Expr Terms::in_book(Expr term) const {
   static const std::vector<std::pair<std::string, std::string>> steps{
       {"c_t", "terminal.definitions: c_t"},

@@ -22,6 +22,7 @@ public:
   /// The answer: typed by the teacher (`faults` compares it with the step), or the step's.
   Expr answer() const;
   Expr from_step(const std::string& id) const;
+  Expr stated(const std::string& text) const;  ///< a step's id, or a formula
   /// In full, with what the book says of all names: a_t, t_j, N_A.
   Expr in_book(Expr term) const;
   /// Names that an answer has no right to, "" where there are none: with what is allowed.

@@ -158,6 +158,11 @@ struct Roots {
     const Expr t = kernel::power(root_of(root.arg(0), n), std::abs(k));
     return k > 0 ? t : 1 / t;
   }
+  std::optional<Expr> of_signed(Expr root) {
+    for (Expr t : is_call(root, "abs") ? Exprs{root.arg(0), -root.arg(0)} : Exprs())
+      if (algebra::sign_of(kernel::canonical(t), facts, false)) return t;
+    return {};
+  }
   std::optional<Expr> of_inverse(Expr root) {  // sqrt(1/u) is 1/sqrt(u)
     const Expr x = kernel::canonical(root.arg(0));
     const Expr u = kernel::canonical(algebra::simplified(1 / x));
@@ -192,7 +197,8 @@ struct Roots {
     if (!is_root(e) || !seen.insert(kernel::canonical(e)).second) return;
     const Exprs is = definition(e);
     if (!is_call(e, "sqrt")) definitions.insert(is.begin(), is.end());
-    for (auto simpler : {&Roots::of_number, &Roots::of_sum, &Roots::by_factors, &Roots::of_inverse})
+    for (auto simpler : {&Roots::of_number, &Roots::of_signed, &Roots::of_sum, &Roots::by_factors,
+                         &Roots::of_inverse})
       if (is_proved([&] {
             const auto t = (this->*simpler)(e);
             if (!t || kernel::canonical(*t) == kernel::canonical(e)) return false;
@@ -238,7 +244,7 @@ struct Roots {
 // 0 < e or 0 <= e, of two terms by their squares, of a quadratic polynomial by others in it.
 std::optional<Theorem> by_squares(Expr e, const Theorems& facts) {
   for (bool strict : {true, false})
-    if (const auto sign = algebra::sign_of(e, {}, strict)) return sign;
+    if (const auto sign = algebra::sign_of(e, facts, strict)) return sign;
   for (Expr more : e.op() == Op::Add && e.size() == 2 ? e.args() : Exprs())
     if (const auto order = is_less(kernel::canonical(more - e), more, facts)) return order;
   for (Expr x : kernel::free_variables(e)) {

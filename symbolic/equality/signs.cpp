@@ -191,19 +191,22 @@ int Forms::sign_of_number(const Sum& sum) {
   const std::optional<Expr> e = real_expression(sum);
   return e && kernel::free_variables(*e).empty() ? 2 * exact_sign(*e).value_or(0) : 0;
 }
-// c + sum of c_i z^u_i is at least c - sum of |c_i|, where it is real.
+// c + sum of c_i z^u_i is at least c - sum of |c_i|, where it is real; angles are at most pi/2.
 int Forms::sign_of_trigonometric(const Sum& sum) {
-  cln::cl_RA constant = 0, others = 0;
+  Sum constant, most;  // of the others
   for (const auto& [powers, q] : sum) {
-    if (powers.empty())
-      constant = q;
-    else if (powers.size() == 1 && powers.begin()->first == circle())
-      others = others + cln::abs(q);
+    const Expr e = powers.size() == 1 ? powers.begin()->first : Expr(0);
+    if (e == circle())
+      most = most + number(cln::abs(q));
+    else if (is_arcus(e) && powers.begin()->second == exponent(1))
+      most = most + scaled(atom(kernel::pi()), cln::abs(q) / 2);
     else
-      return 0;
+      constant.insert({powers, q});
   }
-  if (cln::abs(constant) < others || constant == 0) return 0;
-  return (constant > 0 ? 1 : -1) * (cln::abs(constant) > others ? 2 : 1);
+  for (int side : {1, -1})
+    if (const Sum least = scaled(constant, side) - most; least.empty() || sign_of_number(least) > 0)
+      return side * (least.empty() ? 1 : 2);
+  return 0;
 }
 // c z^u and its conjugate are 2 |c| cos(u + arg(c)), positive for an angle between -pi/2 and pi/2.
 int Forms::sign_of_cosine(const Sum& sum) {

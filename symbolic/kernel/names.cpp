@@ -24,7 +24,7 @@ bool reads_as_index(const std::string& name, const std::string& function) {
   const std::string start = stem(function);
   if (!name.starts_with(start)) return false;
   const std::string index = name.substr(start.size());
-  if (index.empty()) return false;
+  if (index.empty()) return true;
   const auto it = variables().find(index);
   return std::all_of(index.begin(), index.end(), is_digit) ||
          (it != variables().end() && it->second == Sort::Int);

@@ -214,7 +214,7 @@ private:
     if (!taken(wanted)) return wanted;
     const std::string start = wanted.substr(0, std::min<std::size_t>(wanted.find('\''), 40));
     std::string out = start + "'";
-    for (int k = 2; taken(out); ++k) out = start + std::to_string(k);
+    for (int k = 2; taken(out); ++k) out = (k < 100 ? start : "x") + std::to_string(k);
     return out;
   }
   Piece print_all(Expr e) {

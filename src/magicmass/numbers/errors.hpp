@@ -5,13 +5,13 @@
 #include <stdexcept>
 
 namespace magicmass {
-/// The caller's fault: an alpha that is no positive finite double, n or k out of range, columns of
-/// different sizes or in the same place.
+/// The caller's fault: an alpha that is no positive finite double, n, j, k, e or a mass out of
+/// range, columns of different sizes or in the same place.
 struct InvalidInput : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 /// The answer exists, but the last precision did not settle it: never seen. Or it is one of those
-/// that fast::terminal(alpha, e) and accurate::collapse leave out.
+/// that fast::terminal with restitution and accurate::collapse leave out.
 struct Undecided : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -89,7 +89,7 @@ TEST_CASE("Answers are judged as in both tables, one of which has five to each e
 }
 
 TEST_CASE("What is spoilt in an exercise is refused by line, or a fault of it") {
-  for (const char* name : {"symbolic.toml", "varied.toml", "code.toml"})
+  for (const char* name : {"symbolic.toml", "varied.toml", "code.toml", "derived.toml"})
     CHECK(complaint(text_of(name)) == "sound");
   for (Texts& row : rows_of("src/learn/spoilt.tsv", 5)) {
     INFO(answers::joined(row));

@@ -118,6 +118,9 @@ TEST_CASE("sorts are checked wherever a tree is made") {
           [] { eq(loose, make({.op = Op::Bound})); });
   refused("no tree at all", "never given a value", [] { Expr().op(); });
   refused("the third argument of two", "no argument 2", [] { eq(x, y).arg(2); });
+  const Expr nameless =
+      make({.op = Op::All, .args = {lt(loose, x)}, .name = "9", .variable = Sort::Int});
+  CHECK(text(nameless) == "for every integer x100: x100 < x");
   CHECK(power(x, 1) == x);
   CHECK(is_term(power(x, 1000000)));
   CHECK((n * n + 2).sort() == Sort::Int);
