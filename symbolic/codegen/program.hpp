@@ -37,9 +37,7 @@ struct Node {
   std::vector<int> of = {};  ///< operands, all before this one
   double factor = 1;         ///< of scale
   cln::cl_RA value = 0;      ///< of a constant, in units of pi where `of_pi`
-  bool of_pi = false;
-  bool is_exact = false;
-  bool is_whole = false;
+  bool of_pi = false, is_exact = false, is_whole = false;
   std::string name = {};
   std::string formula = {};  ///< as the theorem has it
   Interval range = {0, 0};

@@ -124,7 +124,7 @@ struct Scene {
   bool wants(const std::string& output) const { return std::ranges::count(outputs, output) != 0; }
   bool has(const std::string& key) const { return lines.count(key) != 0; }
   /// Of collisions that are stepped, or that would never end.
-  std::int64_t limit() const { return max_events.value_or(1'000'000); }
+  std::int64_t limit() const { return std::min(max_events.value_or(1'000'000), INT64_MAX / 2); }
   /// At which end a body receives what the only one that moves, at the other end, hands on.
   std::optional<std::size_t> receiver() const;
 };

@@ -39,7 +39,8 @@ std::vector<double> certain(const Balls& balls) {
 double time_of(const Trios& trios, std::int64_t j) {
   return certain([&] { return std::vector{trios.collision(j).time}; })[0];
 }
-bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
+/// At the same time it is `either`, if that is told.
+bool is_by(const Trios& trios, std::int64_t j, const Value& time, std::optional<bool> either = {}) {
   const auto exactly = [&](bool is_hard) -> std::optional<bool> {
     const auto at = trios.exact_time(j, is_hard);
     return at && time.exact() ? std::optional(!(*time.exact() < *at)) : std::nullopt;
@@ -48,7 +49,7 @@ bool is_by(const Trios& trios, std::int64_t j, const Value& time) {
   if (!is_early) try {
       is_early = trios.collision(j).time <= ball_of(time);
     } catch (const NotCertain&) {
-      if (Ball::bits > 1500) is_early = exactly(true);
+      if (Ball::bits > 1500) is_early = either ? either : exactly(true);
       if (!is_early) throw;
     }
   return *is_early;
@@ -60,12 +61,11 @@ std::int64_t count_by(const Trios& trios, const Value& time, std::int64_t most) 
 std::optional<std::int64_t> within(const Trios& trios, const Scene& scene) {
   auto N = trios.count();
   const bool collapses = !N && !trios.is_endless();
-  const std::int64_t limit = std::min(scene.limit(), std::int64_t(1) << 62U);
-  if (scene.max_events || (!N && !collapses)) N = std::min(N.value_or(limit), limit);
+  if (scene.max_events || (!N && !collapses)) N = std::min(N.value_or(INT64_MAX), scene.limit());
   if (!scene.until) return N;
   const auto is_over = [&] { return trios.alone()->has_collapsed(*scene.until); };
   if (collapses && with_bits(17, is_over)) return N;
-  const auto counted = [&] { return count_by(trios, *scene.until, N.value_or(limit)); };
+  const auto counted = [&] { return count_by(trios, *scene.until, N.value_or(scene.limit())); };
   const std::string until = scene.until->text;
   return with_bits(17, counted, " to tell whether a collision comes by the time " + until);
 }
@@ -181,7 +181,8 @@ std::vector<double> places_by_theorem(const Scene& scene, std::optional<std::int
         return rounded(
             [&] { return std::vector(trios.bodies(), end.position + end.v_left * since); });
     }
-    const std::int64_t N = count_by(trios, *time, most.value_or(INT64_MAX / 4));
+    const std::int64_t N = count_of(most.value_or(INT64_MAX / 4),
+                                    [&](auto j) { return is_by(trios, j, *time, true); });
     return rounded([&] { return trios.places(at, N); });
   };
   return with_bits(17, told, " to tell where bodies are at the time " + time->text);
