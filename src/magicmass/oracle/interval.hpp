@@ -40,8 +40,7 @@ public:
   friend Interval operator/(const Interval& x, const Interval& y);
 
 private:
-  cl_I low_;
-  cl_I high_;
+  cl_I low_, high_;
   long precision_;
 
   Interval(const cl_I& low, const cl_I& high, long precision);

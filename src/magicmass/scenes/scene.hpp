@@ -104,10 +104,8 @@ struct Scene {
   std::string source;  ///< the file, for messages
   Kind kind = Kind::three_body;
   std::vector<Value> masses;  ///< from left to right
-  std::vector<Value> positions;
-  std::vector<Value> velocities;
-  std::optional<Value> left_wall;
-  std::optional<Value> right_wall;
+  std::vector<Value> positions, velocities;
+  std::optional<Value> left_wall, right_wall;
   Value restitution = value_of(1);
   Value V = value_of(1);  ///< velocity of the first body, where `velocities` does not say
   Value L = value_of(1);  ///< from a ball to the next block or wall, where `positions` does not say

@@ -181,11 +181,13 @@ codegen::Quantity sum_and_square(const kernel::Theorems& recursions) {
 /// The constants that a header's case has for the k-th type are those printed: how many.
 std::size_t check_constants(const codegen::Emitted& emitted, const std::string& name, std::size_t k,
                             double unit, const Printed& bounds, bool is_tested) {
-  const std::regex lists("struct " + name + " \\{[\\s\\S]*?bounds[^{]*\\{([^{;]*\\{){" +
-                         std::to_string(k + 1) + "}([^};]*)");
+  const std::string header = emitted.header + "bounds[;";  // also where there are none
+  const std::size_t at = header.find("bounds[", header.find("struct " + name + " {"));
+  const std::string declared = header.substr(at, header.find(';', at) - at);
+  const std::regex lists("[^{]*\\{([^{]*\\{){" + std::to_string(k + 1) + "}([^}]*)");
   std::multiset<std::string> in_code, in_text;
   std::smatch found;
-  std::regex_search(emitted.header, found, lists);
+  std::regex_search(declared, found, lists);
   std::istringstream numbers(found[2]);
   for (std::string number; std::getline(numbers, number, ',');)
     if (std::stod(number) > 0)  // other types have an error there
