@@ -82,7 +82,7 @@ ExitCode run_bounded(const std::string& name, const Limits& limits,
     ::close(pipe[0]);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     host::limit(RLIMIT_CORE, 0);
-    host::limit(RLIMIT_STACK, rlim_t(128) << 20U);  // std::regex calls itself
+    host::limit(RLIMIT_STACK, rlim_t(128) << 20U);  // std::regex calls itself at each character
     if (__asan_init == nullptr) {
       host::limit(RLIMIT_AS, rlim_t(limits.mebibytes) << 20U);
       cln::malloc_hook = ::operator new;  // its own throws what an unproved step throws, too

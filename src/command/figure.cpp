@@ -29,7 +29,7 @@ std::string drawn(const std::string& script, const std::string& data, const std:
   const std::string input = "format = '" + format + "'\nsize = '" + told(script, "size") + "'\n" +
                             host::embedded().at("terminal.gp") + "$data << END\n" + data + "END\n" +
                             script;
-  ::unsetenv("GNUTERM");  // of the user, as is what -d leaves out
+  ::unsetenv("GNUTERM");  // the user's own, as is what -d leaves out
   const host::End said = host::end_of({"gnuplot", "-d", "-"}, input);
   if (said.code == host::not_there)
     throw InvalidInput(

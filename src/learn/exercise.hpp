@@ -34,7 +34,7 @@ struct Exercise {
   Texts when = {};          ///< for each choice: the conditions on what was run
   Texts laws = {};          ///< equations from which a derivation may start
   std::string start = {};   ///< of a chain: the expression with which it begins
-  std::map<std::string, std::string> unknowns = {};  ///< and their values: steps, formulas
+  std::map<std::string, std::string> unknowns = {};  ///< and their values: steps or formulas
   Texts not_zero = {};             ///< what a line of a derivation may be divided by
   std::string starter = {};        ///< of code: what a student begins with, in C++
   std::string driver = {};         ///< call(), which calls the student's function

@@ -175,7 +175,7 @@ private:
   int sign_of_atom(Expr atom);
   int sign_of_powers(const Product& powers);
   using Rule = int(const Sum& sum);
-  Rule sign_of, sign_of_composite, sign_of_number, sign_of_two, sign_of_trigonometric;
+  Rule sign_of, sign_of_composite, sign_of_number, sign_of_two, sign_by_bounds;
   Rule sign_of_cosine, sign_of_quadratic, sign_of_root, sign_by_terms, sign_by_shift;
 };
 

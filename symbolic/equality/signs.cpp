@@ -165,10 +165,9 @@ int Forms::sign_of_composite(const Sum& sum) {
   if ((asked += sum.size()) > most_asked) return 0;
   ++depth;
   int sign = 0;
-  for (Rule Forms::*rule :
-       {&Forms::sign_of_number, &Forms::sign_by_terms, &Forms::sign_of_trigonometric,
-        &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_root, &Forms::sign_of_two,
-        &Forms::sign_of_quadratic})
+  for (Rule Forms::*rule : {&Forms::sign_of_number, &Forms::sign_by_terms, &Forms::sign_by_bounds,
+                            &Forms::sign_of_cosine, &Forms::sign_by_shift, &Forms::sign_of_root,
+                            &Forms::sign_of_two, &Forms::sign_of_quadratic})
     if (sign == 0) is_proved([&] { return sign = (this->*rule)(sum), true; });
   --depth;
   signs[sum] = {sign, depth};
@@ -192,7 +191,7 @@ int Forms::sign_of_number(const Sum& sum) {
   return e && kernel::free_variables(*e).empty() ? 2 * exact_sign(*e).value_or(0) : 0;
 }
 // c + sum of c_i z^u_i is at least c - sum of |c_i|, where it is real; angles are at most pi/2.
-int Forms::sign_of_trigonometric(const Sum& sum) {
+int Forms::sign_by_bounds(const Sum& sum) {
   Sum constant, most;  // of the others
   for (const auto& [powers, q] : sum) {
     const Expr e = powers.size() == 1 ? powers.begin()->first : Expr(0);

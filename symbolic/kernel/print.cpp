@@ -202,7 +202,7 @@ private:
             std::to_string(e.index() % cols + 1) + "]"};
   }
 
-  // A name for the bound variable that is nothing else here: x, x', x2, x3, ...
+  // A name for the bound variable that is nothing else here: x, x', x2, ...; x100 where x is none.
   std::string fresh(Expr quantified) {
     const std::string wanted = quantified.name();
     const std::set<Expr> free = free_variables(quantified);

@@ -39,7 +39,7 @@ std::vector<double> certain(const Balls& balls) {
 double time_of(const Trios& trios, std::int64_t j) {
   return certain([&] { return std::vector{trios.collision(j).time}; })[0];
 }
-/// At the same time it is `either`, if that is told.
+/// Where no precision tells, as for places at that very time, it is `either`, if that is given.
 bool is_by(const Trios& trios, std::int64_t j, const Value& time, std::optional<bool> either = {}) {
   const auto exactly = [&](bool is_hard) -> std::optional<bool> {
     const auto at = trios.exact_time(j, is_hard);
