@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A float of MPFR's with as many bits as are asked for.
+// A float of MPFR's with as many bits as are asked for, and what generated code asks of a number
+// type. Bounds are emitted in units; one is 2^-bits. It has some more bits than that, so that an
+// operation may round some times.
 #pragma once
 
 #include <cfloat>
@@ -8,12 +10,17 @@
 
 #include <mpfr.h>
 
-#include "magicmass/numbers/big.hpp"
+#include "magicmass/arithmetic/functions.hpp"
+#include "magicmass/arithmetic/rounding_test.hpp"
 
 namespace magicmass::numbers {
 static_assert(LDBL_MIN_EXP < -8000, "sizes of error bounds need the exponents of long double");
-class MpfrFloat : public Big<MpfrFloat, long double> {
+class MpfrFloat {
 public:
+  using Size = long double;  // of errors
+  using Value = MpfrFloat;
+  using Result = double;
+  static constexpr bool is_wide = true;
   static inline thread_local long bits = 182;
   static constexpr long spare = 8;
   /// For inputs whose results are computed without rounding: bounds are 0 then.
@@ -40,7 +47,21 @@ public:
   static std::int64_t to_whole(const MpfrFloat& x) { return mpfr_get_sj(x.v, MPFR_RNDN); }
   static MpfrFloat nearest(const MpfrFloat& x) { return of(mpfr_rint, x.v); }
   static MpfrFloat pi() { return of(mpfr_const_pi); }
-  static MpfrFloat inverse(long n) { return of(mpfr_si_div, 1L, MpfrFloat(double(n)).v); }
+  static const MpfrFloat& exact(const MpfrFloat& x) { return x; }
+  static MpfrFloat all(double x) { return x; }
+  static MpfrFloat two_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
+  static MpfrFloat fast_two_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
+  /// p and q are whole.
+  static MpfrFloat rational(double p, double q, double, double) {
+    return MpfrFloat(p) / MpfrFloat(q);
+  }
+  static MpfrFloat pi_times(double p, double q, double, double) {
+    return pi() * MpfrFloat(p) / MpfrFloat(q);
+  }
+  static MpfrFloat times_sign_of(const MpfrFloat& x, const MpfrFloat& y) {
+    return (-y).is_positive() ? -x : x;
+  }
+  static MpfrFloat turn(const MpfrFloat& n) { return to_whole(n) % 2 == 0 ? 1.0 : -1.0; }
   static Size magnitude_of(const MpfrFloat& x) {
     long exponent = 0;
     const double part = mpfr_get_d_2exp(&exponent, x.v, MPFR_RNDN);
@@ -52,11 +73,6 @@ public:
     const MpfrFloat part = static_cast<double>(std::frexp(x, &exponent));
     return of(mpfr_mul_2si, part.v, exponent - bits);
   }
-  static MpfrFloat arc_tangent(const MpfrFloat& x) { return of(mpfr_atan, x.v); }
-  static arithmetic::SineCosine<MpfrFloat> sine_cosine(const MpfrFloat& x) {
-    return {of(mpfr_sin, x.v), of(mpfr_cos, x.v)};
-  }
-
   bool is_positive() const { return mpfr_sgn(v) > 0; }
   bool is_zero() const { return mpfr_zero_p(v) != 0; }
   friend MpfrFloat operator-(const MpfrFloat& x) { return of(mpfr_neg, x.v); }
@@ -73,7 +89,51 @@ public:
     return of(mpfr_div, x.v, y.v);
   }
   friend MpfrFloat reciprocal_root(const MpfrFloat& x) { return of(mpfr_rec_sqrt, x.v); }
-  friend MpfrFloat scaled(const MpfrFloat& x, double power_of_2) { return x * power_of_2; }
+  friend MpfrFloat scaled(const MpfrFloat& x, double power_of_2) {
+    return of(mpfr_mul_d, x.v, power_of_2);
+  }
+  friend MpfrFloat near_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
+  friend MpfrFloat cancelling_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
+  friend MpfrFloat times(const MpfrFloat& x, const MpfrFloat& y) { return x * y; }
+  friend MpfrFloat quotient(const MpfrFloat& x, const MpfrFloat& y) { return x / y; }
+  friend MpfrFloat magnitude(const MpfrFloat& x) { return of(mpfr_abs, x.v); }
+  friend const MpfrFloat& leading(const MpfrFloat& x) { return x; }
+  /// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-480 down that.
+  friend MpfrFloat power(MpfrFloat x, const MpfrFloat& n) {
+    const auto times_or_least = [](const MpfrFloat& a, const MpfrFloat& b) {
+      const MpfrFloat product = a * b;
+      return is_above(product, 0x1p-480) ? product : MpfrFloat(0x1p-480);
+    };
+    MpfrFloat result = 1.0;
+    for (std::int64_t left = to_whole(n); left > 0; left /= 2) {
+      if (left % 2 != 0) result = times_or_least(result, x);
+      x = times_or_least(x, x);
+    }
+    return result;
+  }
+  /// Near 0 a few terms of the series are sooner than MPFR's functions, and within the spare bits.
+  template <class Tier>
+  friend MpfrFloat arc_tangent(const MpfrFloat& t, const MpfrFloat& z) {
+    if (exponent(z) > series_below) return of(mpfr_atan, t.v);
+    return t * series(z, [](long k) { return over(2 * k + 1, double(2 * k - 1)); });
+  }
+  template <class Tier>
+  friend arithmetic::SineCosine<MpfrFloat> sine_cosine(const MpfrFloat& x) {
+    return {of(mpfr_sin, x.v), of(mpfr_cos, x.v)};
+  }
+  template <class Tier>
+  friend arithmetic::SineCosine<MpfrFloat> sine_cosine_small(const MpfrFloat& x) {
+    const MpfrFloat square = x * x;
+    if (exponent(square) > series_below) return sine_cosine<Tier>(x);
+    return {x * series(square, [](long k) { return over(2 * k * (2 * k + 1)); }),
+            series(square, [](long k) { return over((2 * k - 1) * 2 * k); })};
+  }
+  friend double doubt_of_sign(const MpfrFloat& x, Size error) {
+    return is_above(x, in_units(error)) ? 0.0 : 1.0;
+  }
+  friend double doubt_of_range(const MpfrFloat& x, double low, double high) {
+    return is_above(x, low) && is_above(high, x) ? 0.0 : 1.0;
+  }
   friend bool is_above(const MpfrFloat& x, const MpfrFloat& y) {
     return mpfr_greater_p(x.v, y.v) != 0;
   }
@@ -93,6 +153,18 @@ private:
     MpfrFloat r;
     f(r.v, arguments..., MPFR_RNDN);
     return r;
+  }
+  static MpfrFloat over(long n, MpfrFloat x = 1.0) { return of(mpfr_div_si, x.v, n); }
+  static constexpr long series_below = -16;  // where at most bits/16 terms are needed
+  /// 1 - z r_1 + z^2 r_1 r_2 - ..., without terms below the spare bits; r_k = ratio(k) <= 1.
+  template <class R>
+  static MpfrFloat series(const MpfrFloat& z, R ratio) {
+    MpfrFloat term = -z * ratio(1), sum = MpfrFloat(1.0) + term;
+    for (long k = 2; exponent(term) + exponent(z) > -bits - spare; ++k) {
+      term = -term * z * ratio(k);
+      sum = sum + term;
+    }
+    return sum;
   }
   // The first precision fits in here: memory from the heap would take more time than arithmetic.
   static constexpr long own_limbs = 3;

@@ -42,16 +42,10 @@
 #include "magicmass/numbers/ladder.hpp"
 #include "magicmass/numbers/results.hpp"
 #include "magicmass/numbers/until_certain.hpp"
-#if defined(__SIZEOF_INT128__)
-#include "magicmass/numbers/three_words.hpp"
-#endif
 
 namespace magicmass::numbers {
 namespace {
 using generated::Ziv;
-
-/// Where series of a few terms are enough.
-constexpr double three_words_below = 0x1p-30;
 
 /// Runs one case.
 template <class Case>
@@ -61,11 +55,11 @@ double run(Case& k) {
   k.stage_3();
   return k.doubt;
 }
-/// The doubt that F leaves.
-template <class Q, class F>
+/// The doubt that is left.
+template <class Q>
 double attempt(const typename Q::Inputs& in, typename Q::Outputs& out) {
   return Q::template visit<true>(in, [&]<template <class, class> class Case>() {
-    Case<Ziv, F> k(in);
+    Case<Ziv, MpfrFloat> k(in);
     const double doubt = run(k);
     out = k.outputs();
     return doubt;
@@ -74,7 +68,7 @@ double attempt(const typename Q::Inputs& in, typename Q::Outputs& out) {
 template <class Q, class Result, class X, class... In>
 bool settle(Result& result, const char* what, bool is_exact, X x, In... in) {
   typename Q::Outputs out{};
-  until_certain(what, double(x), is_exact, [&] { return attempt<Q, MpfrFloat>({x, in...}, out); });
+  until_certain(what, double(x), is_exact, [&] { return attempt<Q>({x, in...}, out); });
   set(result, out);
   return true;
 }
@@ -113,13 +107,6 @@ bool velocities_by_mpfr(Velocities& result, double alpha, std::int64_t n) {
                                        n);
 }
 bool terminal_by_mpfr(Terminal& result, double alpha) {
-#if defined(__SIZEOF_INT128__)
-  generated::TerminalOutputs out{};
-  if (alpha < three_words_below && attempt<generated::Terminal, ThreeWords>({alpha}, out) == 0.0) {
-    set(result, out);
-    return true;
-  }
-#endif
   return settle<generated::Terminal>(result, "terminal", has_dyadic_velocities(alpha), alpha);
 }
 /// Signs first: of polynomials, exact in the last precision. pi/h is a whole number only where the
@@ -165,7 +152,7 @@ bool collapse_by_mpfr(Collapse& result, const Masses& masses, double e) {
   std::optional<double> t;  // where no rounding test would find it; v and rho know nothing of e
   if (ends.is_zero()) t = rounded(generated::closing_exact<MpfrFloat>(M_C, w_B, e, ends).edge_e);
   generated::CollapseOutputs near{};
-  attempt<generated::Collapse, MpfrFloat>({M_C, w_B, e}, near);
+  attempt<generated::Collapse>({M_C, w_B, e}, near);
   for (const double to : {0.0, DBL_MAX}) {
     const double one = near.t_end, other = std::nextafter(one, to);
     const MpfrFloat middle = scaled(MpfrFloat(one) + MpfrFloat(other), 0.5);
