@@ -104,6 +104,21 @@ Ball sqrt(const Ball& x) {
   if (root > 0) error = cln::min(error, cln::floor1(cln::ash(x.radius, Ball::bits), root));
   return {root, error + 2};
 }
+Ball nth_root(const Ball& x, int n) {
+  if (x.middle <= x.radius) throw NotCertain("a root of what may not be positive");
+  const cl_RA middle = scaled(x.middle, -Ball::bits);
+  const int e = exponent_of(middle);
+  const double start = std::exp2(std::log2(nearest(scaled(middle, -e))) / n + e % n / double(n));
+  Ball y(scaled(exact(start), e / n));
+  for (int right = 40; right < Ball::bits + std::abs(e); right *= 2) {  // Newton's iteration
+    y = y - (power(y, n) - x) / (Ball(n) * power(y, n - 1));
+    y.radius = 0;
+  }
+  // |x^(1/n) - y| <= |x - y^n|/y^(n-1)
+  const Ball off = (x - power(y, n)) / power(y, n - 1);
+  y.radius = cln::abs(off.middle) + off.radius;
+  return y;
+}
 Ball atan(const Ball& x) {
   // atan(x) = 2 atan(x/(1 + sqrt(1 + x^2))), so that the series is short.
   constexpr int halvings = 6;

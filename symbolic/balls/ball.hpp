@@ -42,6 +42,8 @@ public:
   friend Ball power(const Ball& base, std::int64_t exponent);
   /// Throws NotCertain where x may be negative.
   friend Ball sqrt(const Ball& x);
+  /// x^(1/n). Throws NotCertain where x may not be positive.
+  friend Ball nth_root(const Ball& x, int n);
   /// Throws NotCertain where there is a whole number within.
   friend Ball ceil(const Ball& x);
   /// Throw NotCertain where neither is certain.

@@ -104,8 +104,7 @@ private:
                                   : "an even root of a negative number");
     if (side == 0) return 0;
     const Ball value = side < 0 ? -(*this)(x) : (*this)(x);
-    if (order == 2) return sqrt(value);
-    return Ball(side) * exp(log(value) / Ball(order));
+    return order == 2 ? sqrt(value) : Ball(side) * nth_root(value, order);
   }
   Ball raised(Expr base, Expr exponent) {
     auto value = notation::rational_value(exponent);
@@ -115,22 +114,25 @@ private:
       value = near_fraction(power.low(), 1);
       if (value && sign(exponent - Expr(*value)) != 0) value.reset();
     }
-    const bool is_whole = value && cln::denominator(*value) == 1;
-    if (is_whole && cln::abs(*value) <= 10000) {
-      const int n = cln::cl_I_to_int(cln::numerator(*value));
-      if (n <= 0 && sign(base) == 0) throw NotDefined("a power of 0 that has no value");
-      const Ball whole = power((*this)(base), std::abs(n));
-      return n < 0 ? Ball(1) / whole : whole;
-    }
+    const cln::cl_I above = value ? cln::numerator(*value) : 0;
+    const cln::cl_I below = value ? cln::denominator(*value) : 0;
+    const bool is_short = value && cln::abs(above) * below <= 10000;
+    const auto short_power = [&](const Ball& of) {
+      return power(of, cln::cl_I_to_int(abs(above)));
+    };
+    if (is_short && below == 1 && above > 0) return short_power((*this)(base));
     const int side = sign(base);
-    if (side < 0 && !is_whole) throw NotDefined("a power of a negative number");
-    if (side != 0) {
-      const Ball size = side < 0 ? -(*this)(base) : (*this)(base);
-      const bool is_negative = side < 0 && cln::oddp(cln::numerator(*value));
-      return Ball(is_negative ? -1 : 1) * exp((*this)(exponent)*log(size));
+    if (side < 0 && below != 1) throw NotDefined("a power of a negative number");
+    if (side == 0 && sign(exponent) <= 0) throw NotDefined("a power of 0 that has no value");
+    if (side == 0) return 0;
+    if (is_short) {
+      const Ball of = (*this)(base);
+      const Ball size = short_power(below == 1 ? of : nth_root(of, cln::cl_I_to_int(below)));
+      return above < 0 ? Ball(1) / size : size;
     }
-    if (sign(exponent) <= 0) throw NotDefined("a power of 0 that has no value");
-    return 0;
+    const Ball size = side < 0 ? -(*this)(base) : (*this)(base);
+    const bool is_negative = side < 0 && cln::oddp(above);
+    return Ball(is_negative ? -1 : 1) * exp((*this)(exponent)*log(size));
   }
 };
 

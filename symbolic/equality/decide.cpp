@@ -200,12 +200,7 @@ private:
   /// a root as the unknown: sqrt(x + 2 sqrt(x - 1)) is sqrt(s^2 + 1 + 2 s).
   bool prove_by_cases() {
     const std::string before = verdict.proof;
-    std::set<Expr> turns;
-    for (Expr e : parts_of(left - right)) {
-      if (is_call(e, "abs")) turns.insert(e.arg(0));
-      if (is_call(e, "sqrt") || is_call(e, "root")) turns.merge(kernel::free_variables(e));
-    }
-    for (Expr e : turns)
+    for (Expr e : turns(left - right))
       if (is_proved_where(e, ">=", 0) && is_proved_where(e, "<=", 0)) {
         const std::string name = typed_text(e);
         return proved("cases: " + name + " >= 0 and " + name + " <= 0");

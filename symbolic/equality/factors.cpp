@@ -96,6 +96,17 @@ const Forms::Factors& Forms::factors(const Sum& sum) {
 Forms::Factors Forms::factors_of(const Sum& sum) {
   if (sum.size() == 1) return {sum.begin()->second, sum.begin()->first};
   Factors out;
+  if (const auto typed = products.extract(sum)) {  // (sqrt(2) - x)^3, which GiNaC cannot factor
+    const Expr e = typed.mapped();
+    const int k = e.op() == Op::Pow ? e.exponent() : 1;
+    for (Expr arg : e.args()) {
+      const Factors f = factors(of(arg));
+      out.number = out.number * cln::expt(f.number, k);
+      for (const auto& [atom, power] : f.powers)
+        multiply(out.powers, atom, kernel::scaled(power, k));
+    }
+    return out;
+  }
   const Sum plain = expanded(sum, &out.powers);
   if (plain.empty()) throw NotDefined("0, written as a sum");
   const std::map<Expr, Generator> all = generators(plain);

@@ -27,7 +27,9 @@ bool has_log(Expr e) { return is_call(e, "log") || std::ranges::any_of(e.args(),
 
 Sum Forms::of(Expr term) {
   if (const auto it = forms.find(term); it != forms.end()) return it->second;
-  return forms[term] = computed(term);
+  const Sum out = forms[term] = computed(term);
+  if (out.size() > 1 && (term.op() == Op::Mul || term.op() == Op::Pow)) products.emplace(out, term);
+  return out;
 }
 Sum Forms::computed(Expr term) {
   switch (term.op()) {

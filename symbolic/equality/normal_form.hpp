@@ -65,6 +65,8 @@ int order_of(Expr root);
 
 /// All parts of a term, each once: inner ones first, itself the last.
 Exprs parts_of(Expr term);
+/// Arguments of moduli and symbols under roots.
+std::set<Expr> turns(Expr term);
 enum class Need { NotZero, NotNegative, Positive };
 struct Requirement {
   Need kind;
@@ -121,6 +123,7 @@ private:
   std::map<Expr, Sum> forms;       // of terms
   std::map<Expr, Sum> composites;  // what an atom stands for
   std::map<Sum, Factors> factored;
+  std::map<Sum, Expr> products;              // sums that were typed as a product or a power
   std::map<Sum, std::pair<int, int>> signs;  // of composites, and the depth where that was asked
   std::map<Expr, int> assumed_signs;         // 1: not negative, 2: positive, -1, -2 likewise
   std::set<Expr> assumed_not_zero;

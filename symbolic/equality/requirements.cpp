@@ -24,6 +24,14 @@ Exprs parts_of(Expr term) {
   visit(visit, term);
   return out;
 }
+std::set<Expr> turns(Expr term) {
+  std::set<Expr> out;
+  for (Expr e : parts_of(term)) {
+    if (is_call(e, "abs")) out.insert(e.arg(0));
+    if (is_call(e, "sqrt") || is_call(e, "root")) out.merge(kernel::free_variables(e));
+  }
+  return out;
+}
 std::vector<Requirement> requirements(Expr term, const Domain& domain) {
   std::vector<Requirement> out;
   for (Expr e : parts_of(term)) {
@@ -42,7 +50,7 @@ std::vector<Requirement> requirements(Expr term, const Domain& domain) {
     if (is_proved([&] { return Forms(domain).of(x).empty(); }))
       out.push_back({Need::Positive, e.arg(1)});
     else if (!Forms(domain).is_integer(e.arg(1)))
-      out.push_back({Need::NotNegative, x});
+      out.push_back({root_exponent(e).value_or(1) < 0 ? Need::Positive : Need::NotNegative, x});
     else if (!is_certain({Need::Positive, e.arg(1)}, domain))
       out.push_back({Need::NotZero, x});
   }

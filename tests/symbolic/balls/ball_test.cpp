@@ -30,6 +30,20 @@ TEST_CASE("operations hold the exact result, narrowly") {
   CHECK_THROWS_AS(Ball(1) / (Ball(cl_RA(1) / 3) - Ball(cl_RA(1) / 3)), NotCertain);
   CHECK_THROWS_AS(sqrt(Ball(-1)), NotCertain);
 }
+TEST_CASE("roots of every order hold the exact one, narrowly, and none is taken at 0 or below") {
+  Ball::bits = 300;
+  for (const int n : {1, 2, 3, 7, 24, 999})
+    for (const cl_RA& x : {cl_RA(2), cl_RA(1) / 3, power_of_2(-90), power_of_2(70) / 3}) {
+      const Ball root = nth_root(Ball(x), n),
+                 wide = nth_root(Ball(x) + (Ball(1) / 7 - Ball(1) / 7), n);
+      CHECK(holds(power(root, n) / Ball(x), 1, power_of_2(-180)));
+      CHECK((wide.low() <= root.high() && root.low() <= wide.high()));
+    }
+  CHECK(holds(nth_root(Ball(cl_RA(1) / 32768), 15), cl_RA(1) / 2, power_of_2(-250)));
+  CHECK_THROWS_AS(nth_root(Ball(0), 3), NotCertain);
+  CHECK_THROWS_AS(nth_root(Ball(-8), 3), NotCertain);
+  CHECK_THROWS_AS(nth_root(Ball(1) / 7 - Ball(1) / 7, 3), NotCertain);
+}
 TEST_CASE("functions meet their identities") {
   Ball::bits = 200;
   const cl_RA tiny = power_of_2(-180);
