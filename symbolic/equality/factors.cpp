@@ -6,7 +6,7 @@ namespace {
 using kernel::Monomial;
 using kernel::Polynomial;
 constexpr std::size_t most_terms = 60;  // of a polynomial that GiNaC factors
-constexpr int highest_degree = 60;
+constexpr int highest_degree = 60, highest_power = 12;
 
 cln::cl_RA common_divisor(const cln::cl_RA& a, const cln::cl_RA& b) {
   return cln::cl_RA(cln::gcd(cln::numerator(a) * cln::denominator(b),
@@ -165,7 +165,30 @@ void Forms::take_factor(Factors& into, Sum part, int times_taken) {
   }
   take_real(into, part, times_taken);
 }
-void Forms::take_real(Factors& into, const Sum& part, int times_taken) {
+// Of an earlier number, if it is one: 2 + sqrt(5) is ((1 + sqrt(5))/2)^3.
+std::pair<Expr, cln::cl_RA> Forms::as_power(const Sum& part) {
+  const Expr number = expression(part);
+  const auto is_number = [](Expr e) {
+    return kernel::free_variables(e).empty() && is_algebraic(e);
+  };
+  std::pair<Expr, cln::cl_RA> out{number, 1};
+  for (const auto& [base, sum] : is_number(number) ? composites : std::map<Expr, Sum>())
+    if (base != number && is_number(base) && is_proved([&] {
+          const Expr ratio = notation::call("log", number) / notation::call("log", base);
+          const auto q = near_fraction(enclosure(ratio, 128).low(), highest_power);
+          if (!q) return false;
+          const auto raised = [](Expr e, const cln::cl_I& k) {
+            return notation::raised(e, cln::cl_RA(k));
+          };
+          out.second = *q;
+          return exact_sign(raised(number, cln::denominator(*q)) -
+                            raised(base, cln::numerator(*q))) == 0;
+        }))
+      return {base, out.second};
+  composite(part);
+  return {number, 1};
+}
+void Forms::take_real(Factors& into, Sum part, int times_taken) {
   if (part.size() > 1) {
     // Of 1 + sqrt(2) and sqrt(2) - 1, whose product is rational, the greater one is the atom.
     if (const auto inverse = rationalized(part)) {
@@ -174,10 +197,17 @@ void Forms::take_real(Factors& into, const Sum& part, int times_taken) {
       const Expr gap = kernel::power(expression(other), 2) - kernel::power(expression(part), 2);
       if (exact_sign(gap) == 1) {
         into.number = into.number * cln::expt(inside, -times_taken);
-        return multiply(into.powers, composite(other), exponent(-times_taken));
+        part = other;
+        times_taken = -times_taken;
+      }
+      if (cln::cl_RA root = 0;
+          cln::sqrtp(cln::abs(inside), &root)) {  // (1 + sqrt(5))/2 of 1 + sqrt(5)
+        into.number = into.number * cln::expt(root, -times_taken);
+        part = scaled(part, root);
       }
     }
-    return multiply(into.powers, composite(part), exponent(times_taken));
+    const auto [base, power] = as_power(part);
+    return multiply(into.powers, base, exponent(times_taken * power));
   }
   for (const auto& [atom, e] : part.begin()->first)
     multiply(into.powers, atom, kernel::scaled(e, times_taken));

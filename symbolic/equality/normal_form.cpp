@@ -137,12 +137,28 @@ Exponent Forms::multiplied(const Exponent& a, const Exponent& b) {
     out = scaled(out, f.number);
     for (const auto& [atom, e] : f.powers) multiply(powers, atom, e);
   }
+  return exponent_of(divided(times(out, multiplied_out(powers))));
+}
+/// Its sums to whole powers.
+Sum Forms::multiplied_out(const Product& powers) {
+  Sum out = number(1);
   for (const auto& [atom, e] : powers) {
     const int k = whole_number(e).value_or(0);
     const bool is_power = composites.contains(atom) && k > 0;
     out = times(out, is_power ? integer_power(composites.at(atom), k) : equality::atom(atom, e));
   }
-  return exponent_of(divided(out));
+  return out;
+}
+// sqrt((x - 1)^2) and (x^2 - 1)/(x + 1) are x - 1.
+Sum Forms::cancelled(const Sum& sum) {
+  Sum plain, others;
+  for (const auto& term : sum) {
+    const auto is_sum = [&](const auto& power) { return composites.contains(power.first); };
+    (std::ranges::any_of(term.first, is_sum) ? others : plain).insert(term);
+  }
+  if (others.empty() || is_nothing(others)) return plain;
+  const Factors f = factors(others);
+  return divided(plain + scaled(multiplied_out(f.powers), f.number));
 }
 Sum Forms::symbolic_power(const Sum& base, const Exponent& k) {
   if (base.empty()) return {};
@@ -182,7 +198,7 @@ Sum Forms::logarithm(const Sum& sum) {
 }
 Sum Forms::exponential(const Sum& sum) {
   Product out;
-  for (const auto& [product, q] : divided(sum)) {
+  for (const auto& [product, q] : cancelled(sum)) {
     Product rest = product;
     Expr base = euler();
     for (const auto& [atom, e] : product)
@@ -229,7 +245,7 @@ Sum Forms::divided(Sum sum) {
 Sum Forms::turned(const Sum& whole_angle) {
   Sum out = number(1);
   Product plain;
-  for (const auto& [product, q] : divided(whole_angle)) {
+  for (const auto& [product, q] : cancelled(whole_angle)) {
     const bool is_inverse = product.size() == 1 && is_arcus(product.begin()->first) &&
                             product.begin()->second == exponent(1);
     if (is_inverse && is_whole(2 * q) && cln::abs(q) <= most_multiples)

@@ -65,7 +65,7 @@ int order_of(Expr root);
 
 /// All parts of a term, each once: inner ones first, itself the last.
 Exprs parts_of(Expr term);
-/// Arguments of moduli and symbols under roots.
+/// Arguments of moduli, symbols under roots and bases of powers there.
 std::set<Expr> turns(Expr term);
 enum class Need { NotZero, NotNegative, Positive };
 struct Requirement {
@@ -153,6 +153,8 @@ private:
   Sum logarithm(const Sum& sum);
   Sum exponential(const Sum& sum);
   Sum divided(Sum sum);
+  Sum multiplied_out(const Product& powers);
+  Sum cancelled(const Sum& sum);
   Sum turned(const Sum& angle);  // z^angle
   Sum turned_by_inverse(Expr inverse, const cln::cl_RA& multiple);
   Sum inverse_angle(const std::string& name, const Sum& sum);
@@ -160,7 +162,8 @@ private:
   Factors factors_of(const Sum& sum);
   Expr composite(const Sum& sum) { return composites.emplace(expression(sum), sum).first->first; }
   void take_factor(Factors& into, Sum part, int times_taken);
-  void take_real(Factors& into, const Sum& part, int times_taken);
+  std::pair<Expr, cln::cl_RA> as_power(const Sum& part);
+  void take_real(Factors& into, Sum part, int times_taken);
   Sum reduced(Product product, cln::cl_RA number = 1);
 
   Exponent exponent_of(const Sum& sum);

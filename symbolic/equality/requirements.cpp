@@ -28,7 +28,9 @@ std::set<Expr> turns(Expr term) {
   std::set<Expr> out;
   for (Expr e : parts_of(term)) {
     if (is_call(e, "abs")) out.insert(e.arg(0));
-    if (is_call(e, "sqrt") || is_call(e, "root")) out.merge(kernel::free_variables(e));
+    if (!is_call(e, "sqrt") && !is_call(e, "root")) continue;
+    out.merge(kernel::free_variables(e));
+    if (e.arg(0).op() == Op::Pow) out.insert(e.arg(0).arg(0));
   }
   return out;
 }
