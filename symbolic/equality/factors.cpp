@@ -171,22 +171,20 @@ std::pair<Expr, cln::cl_RA> Forms::as_power(const Sum& part) {
   const auto is_number = [](Expr e) {
     return kernel::free_variables(e).empty() && is_algebraic(e);
   };
-  std::pair<Expr, cln::cl_RA> out{number, 1};
-  for (const auto& [base, sum] : is_number(number) ? composites : std::map<Expr, Sum>())
-    if (base != number && is_number(base) && is_proved([&] {
-          const Expr ratio = notation::call("log", number) / notation::call("log", base);
-          const auto q = near_fraction(enclosure(ratio, 128).low(), highest_power);
-          if (!q) return false;
-          const auto raised = [](Expr e, const cln::cl_I& k) {
-            return notation::raised(e, cln::cl_RA(k));
-          };
-          out.second = *q;
-          return exact_sign(raised(number, cln::denominator(*q)) -
-                            raised(base, cln::numerator(*q))) == 0;
-        }))
-      return {base, out.second};
-  composite(part);
-  return {number, 1};
+  const auto raised = [](Expr e, const cln::cl_I& k) { return notation::raised(e, cln::cl_RA(k)); };
+  cln::cl_RA power = 1;
+  const auto is_power_of = [&](Expr base) {
+    const Expr ratio = notation::call("log", number) / notation::call("log", base);
+    const auto q = near_fraction(enclosure(ratio, 128).low(), highest_power);
+    power = q.value_or(0);
+    const Expr left = raised(number, cln::denominator(power));
+    return q && exact_sign(left - raised(base, cln::numerator(power))) == 0;
+  };
+  for (const auto& earlier : is_number(number) ? composites : std::map<Expr, Sum>())
+    if (earlier.first != number && is_number(earlier.first) &&
+        is_proved([&] { return is_power_of(earlier.first); }))
+      return {earlier.first, power};
+  return {composite(part), 1};
 }
 void Forms::take_real(Factors& into, Sum part, int times_taken) {
   if (part.size() > 1) {
