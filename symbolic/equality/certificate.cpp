@@ -13,6 +13,11 @@ Expr formula(const Requirement& r) {
          : r.kind == Need::NotNegative ? kernel::le(0, r.term)
                                        : kernel::lt(0, r.term);
 }
+Theorems assumptions(const std::vector<Requirement>& needs) {
+  Theorems out;
+  for (const Requirement& r : needs) out.push_back(kernel::assume(formula(r)));
+  return out;
+}
 std::string shown(Expr f) {
   if (f.op() == Op::Eq) return notation::typed_text(f);
   if (f.op() == Op::Not) return notation::typed_text(f.arg(0).arg(0)) + " != 0";
@@ -134,11 +139,11 @@ void add_sines(Expr e, Roots& roots) {
 }
 // What of `needs` and of roots proves the goal; nothing where it is not found.
 std::optional<Theorem> proof(Expr goal, const std::vector<Requirement>& needs,
-                             const Domain& domain) {
+                             const Theorems& outside, const Domain& domain) {
   std::optional<Theorem> found;
   is_proved([&] {
     const Expr both = goal.arg(0) - goal.arg(1);
-    Roots roots(Forms(narrowed(domain, needs)));
+    Roots roots(Forms(narrowed(domain, needs)), parts_of(both), outside);
     Theorems& facts = roots.facts;
     for (int pass = 0; pass < 2; ++pass)  // a sign found late names earlier terms anew
       for (const Requirement& r : needs) is_proved([&] { return roots.forms.assume(r), true; });
@@ -175,15 +180,17 @@ std::optional<Theorem> proof(Expr goal, const std::vector<Requirement>& needs,
   });
   return found;
 }
-// The same where e >= 0 and where e <= 0.
+// The same, or where e >= 0 and where e <= 0.
 std::optional<Theorem> proof_by_cases(Expr goal, const std::vector<Requirement>& needs,
                                       const Domain& domain) {
+  const Theorems outside = assumptions(needs);
+  if (const auto found = proof(goal, needs, outside, domain)) return found;
   for (Expr e : turns(goal)) {
     Theorems cases;
     for (auto [side, is] : {std::pair(e, kernel::le(0, e)), {-e, kernel::le(e, 0)}}) {
       auto there = needs;
       there.push_back({Need::NotNegative, side});
-      const auto found = proof(goal, there, domain);
+      const auto found = proof(goal, there, outside, domain);
       if (!found) break;
       const Theorem assumed = algebra::linear(kernel::le(0, side), {kernel::assume(is)});
       cases.push_back(kernel::discharge(is, algebra::cut(assumed, *found)));
@@ -219,8 +226,7 @@ std::string certified(Expr asked, const Exprs& given, std::vector<Requirement> n
                          kernel::canonical(Expr(side) * (x - Expr(end->value)))});
   for (Requirement& r : needs) r.term = named(r.term);
   const Expr goal = kernel::eq(named(left), named(right));
-  auto found = proof(goal, needs, domain);
-  if (!found) found = proof_by_cases(goal, needs, domain);
+  const auto found = proof_by_cases(goal, needs, domain);
   if (!found) kernel::refuse("found no proof");
   std::string theorem;
   is_proved([&] {

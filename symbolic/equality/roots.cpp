@@ -31,6 +31,12 @@ std::optional<Theorem> is_less(Expr less, Expr more, const Theorems& facts) {
     }
   return {};
 }
+// Products of others would take long.
+bool is_polynomial_bound(const Theorem& t) {
+  const auto parts = parts_of(t.conclusion());
+  const auto is_function = [](Expr e) { return e.op() == Op::Fun && !is_constant(e); };
+  return is_bound(t) && std::ranges::none_of(parts, is_function);
+}
 // 0 < e or 0 <= e, of two terms by their squares, of a quadratic polynomial by others in it.
 std::optional<Theorem> by_squares(Expr e, const Theorems& facts, const Theorems& of_roots) {
   for (bool strict : {true, false})
@@ -38,7 +44,7 @@ std::optional<Theorem> by_squares(Expr e, const Theorems& facts, const Theorems&
   for (Expr more : e.op() == Op::Add && e.size() == 2 ? e.args() : Exprs())
     if (const auto order = is_less(kernel::canonical(more - e), more, facts)) return order;
   Theorems bounds;
-  std::ranges::copy_if(facts, std::back_inserter(bounds), is_bound);
+  std::ranges::copy_if(facts, std::back_inserter(bounds), is_polynomial_bound);
   const std::size_t count = bounds.size();
   for (std::size_t i = 0; i < count && count <= most_bounds; ++i)
     for (std::size_t k = 0; k < i; ++k) bounds.push_back(algebra::times(bounds[i], bounds[k]));
@@ -116,6 +122,18 @@ void Roots::add_factors(const Theorem& given) {
       return true;
     });
 }
+Expr Roots::least_root(Expr x, int n) {
+  const bool is_even = n % 2 == 0;
+  return n == 1    ? x
+         : is_even ? forms.expression(atom(x, exponent(cln::cl_RA(1) / n)))
+                   : notation::root(n, x);
+}
+bool Roots::has_value(Expr root) const {
+  const Expr x = root.arg(0);
+  if (is_call(root, "abs") || is_call(x, "abs") || typed.contains(root)) return true;
+  if (is_call(root, "root") && order(root) % 2 != 0) return true;
+  return algebra::sign_of(kernel::canonical(x), certain, false).has_value();
+}
 void Roots::see(Expr e) {
   for (Expr part : e.args()) see(part);
   if (!is_root(e)) return;
@@ -181,7 +199,7 @@ std::optional<Expr> Roots::of_common(Expr root) {
   const auto common = common_orders.find(kernel::canonical(x));
   if (is_call(root, "abs") || x.op() == Op::Num || common == common_orders.end()) return {};
   const int n = common->second, k = whole(*root_exponent(root) * n);
-  if (k == 1 || n > highest_order) return {};
+  if (k == 1 || n > highest_order || (n % 2 == 0 && !sign_of(x))) return {};
   const Expr power = kernel::power(least_root(x, n), std::abs(k));
   return k > 0 ? power : 1 / power;
 }
@@ -204,7 +222,10 @@ std::optional<Expr> Roots::of_product(Expr root) {
       f = kernel::canonical(-f);
       is_negative = !is_negative;
     }
-    const Expr part = kernel::power(kernel::replace(root, x, f), k);
+    const bool is_odd = !is_even && !is_call(root, "abs");
+    const Expr one = is_odd ? notation::root(order(root), f) : kernel::replace(root, x, f);
+    const Expr part =
+        kernel::power(one, is_odd ? k * whole(*root_exponent(root) * order(root)) : k);
     out = is_inverse ? out / part : out * part;
   }
   return is_negative ? std::nullopt : std::optional(out);
@@ -254,8 +275,8 @@ void Roots::add(Expr e) {
   for (Expr sum : e.op() == Op::Fun ? parts_of(e) : Exprs()) add_sum(sum);
   if (!is_root(e) || !seen.insert(kernel::canonical(e)).second) return;
   const Exprs is = definition(e);
-  if (!is_call(e, "sqrt")) definitions.insert(is.begin(), is.end());
-  for (auto simpler : {&Roots::of_common, &Roots::of_signed, &Roots::of_sum, &Roots::by_factors,
+  if (!is_call(e, "sqrt") && has_value(e)) definitions.insert(is.begin(), is.end());
+  for (auto simpler : {&Roots::of_signed, &Roots::of_sum, &Roots::by_factors, &Roots::of_common,
                        &Roots::of_inverse, &Roots::of_other, &Roots::of_product})
     if (is_proved([&] {
           const auto t = (this->*simpler)(e);

@@ -19,10 +19,12 @@ inline bool is_bound(const Theorem& t) {
   return t.conclusion().op() == Op::Lt || t.conclusion().op() == Op::Le;
 }
 
-/// What is known of the roots of a goal. A root of a negative number has no definition among them.
+/// What is known of the roots of a goal. What may have no value has no definition among them.
 class Roots {
 public:
-  explicit Roots(const Forms& of_terms) : forms(of_terms) {}
+  /// `outside`: what is assumed, but for the case that it is a proof of.
+  Roots(const Forms& of_terms, const Exprs& parts, const Theorems& outside)
+      : forms(of_terms), typed(parts.begin(), parts.end()), certain(outside) {}
 
   Forms forms;
   Theorems facts = {};
@@ -43,6 +45,8 @@ public:
   bool solve_for_one(Expr goal, const std::function<Theorem(Expr)>& rest);
 
 private:
+  std::set<Expr> typed;                    // parts of the goal
+  Theorems certain;                        // without a case
   std::map<Expr, cln::cl_I> orders = {};   // of each factor
   std::map<Expr, int> common_orders = {};  // of roots of one term
   std::set<Expr> seen = {};
@@ -51,7 +55,8 @@ private:
 
   using Simpler = std::optional<Expr>(Expr root);
   Simpler of_common, of_signed, of_sum, by_factors, of_inverse, of_other, of_product;
-  Expr least_root(Expr x, int n) { return forms.expression(atom(x, exponent(cln::cl_RA(1) / n))); }
+  Expr least_root(Expr x, int n);
+  bool has_value(Expr root) const;
   void enclose(Expr root);
   void add_sum(Expr sum);
   void add_sign_of(Expr root);
