@@ -123,10 +123,9 @@ void Roots::add_factors(const Theorem& given) {
     });
 }
 Expr Roots::least_root(Expr x, int n) {
-  const bool is_even = n % 2 == 0;
-  return n == 1    ? x
-         : is_even ? forms.expression(atom(x, exponent(cln::cl_RA(1) / n)))
-                   : notation::root(n, x);
+  if (n == 1) return x;
+  const bool is_root = n % 2 != 0 && !algebra::sign_of(kernel::canonical(x), certain, false);
+  return is_root ? notation::root(n, x) : forms.expression(atom(x, exponent(cln::cl_RA(1) / n)));
 }
 bool Roots::has_value(Expr root) const {
   const Expr x = root.arg(0);
