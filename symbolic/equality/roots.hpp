@@ -22,13 +22,13 @@ inline bool is_bound(const Theorem& t) {
 /// What is known of the roots of a goal. What may have no value has no definition among them.
 class Roots {
 public:
-  /// `outside`: what is assumed, but for the case that it is a proof of.
+  /// `outside`: what is assumed, without the case that is being proved.
   Roots(const Forms& of_terms, const Exprs& parts, const Theorems& outside)
       : forms(of_terms), typed(parts.begin(), parts.end()), certain(outside) {}
 
   Forms forms;
   Theorems facts = {};
-  /// Before anything is added: signs that are known, as those of what divides or is below a root.
+  /// Signs that are known before anything is added; then those of sums, too.
   Theorems signs = {};
   std::set<Expr> definitions = {};  ///< r^n = x and 0 <= r, which facts assume
   Enclosures bounds{facts};         ///< of roots of numbers and cosines
@@ -39,14 +39,14 @@ public:
   void add(Expr term);
   /// Its factors are not 0 where it is not; one has its sign where the others are positive.
   void add_factors(const Theorem& given);
-  /// Whether it is decided; of what is no constant nothing is.
+  /// The sign of a constant; false where it is not decided, or the term is no constant.
   bool add_sign(Expr constant);
   /// One root as both sides are equal, if it is that: two could be written by one another.
   bool solve_for_one(Expr goal, const std::function<Theorem(Expr)>& rest);
 
 private:
   std::set<Expr> typed;                    // parts of the goal
-  Theorems certain;                        // without a case
+  Theorems certain;                        // whatever the case
   std::map<Expr, cln::cl_I> orders = {};   // of each factor
   std::map<Expr, int> common_orders = {};  // of roots of one term
   std::set<Expr> seen = {};

@@ -111,7 +111,7 @@ public:
     }
     return result;
   }
-  /// Near 0 a few terms of the series are sooner than MPFR's functions, and within the spare bits.
+  /// Near 0 a few terms of the series are quicker than MPFR's functions, and within the spare bits.
   template <class Tier>
   friend MpfrFloat arc_tangent(const MpfrFloat& t, const MpfrFloat& z) {
     if (exponent(z) > series_below) return of(mpfr_atan, t.v);
