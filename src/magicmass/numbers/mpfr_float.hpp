@@ -44,7 +44,9 @@ public:
 
   static MpfrFloat whole(std::int64_t n) { return of(mpfr_set_sj, n); }
   static double to_result(const MpfrFloat& x) { return mpfr_get_d(x.v, MPFR_RNDN); }
-  static std::int64_t to_whole(const MpfrFloat& x) { return mpfr_get_sj(x.v, MPFR_RNDN); }
+  static std::int64_t to_whole(const MpfrFloat& x) {
+    return sizeof(long) == 8 ? mpfr_get_si(x.v, MPFR_RNDN) : mpfr_get_sj(x.v, MPFR_RNDN);
+  }
   static MpfrFloat nearest(const MpfrFloat& x) { return of(mpfr_rint, x.v); }
   static MpfrFloat pi() { return of(mpfr_const_pi); }
   static const MpfrFloat& exact(const MpfrFloat& x) { return x; }
@@ -52,27 +54,20 @@ public:
   static MpfrFloat two_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
   static MpfrFloat fast_two_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
   /// p and q are whole.
-  static MpfrFloat rational(double p, double q, double, double) {
-    return MpfrFloat(p) / MpfrFloat(q);
-  }
+  static MpfrFloat rational(double p, double q, double, double) { return over(long(q), p); }
   static MpfrFloat pi_times(double p, double q, double, double) {
-    return pi() * MpfrFloat(p) / MpfrFloat(q);
+    return over(long(q), of(mpfr_mul_si, pi().v, long(p)));
   }
   static MpfrFloat times_sign_of(const MpfrFloat& x, const MpfrFloat& y) {
     return (-y).is_positive() ? -x : x;
   }
   static MpfrFloat turn(const MpfrFloat& n) { return to_whole(n) % 2 == 0 ? 1.0 : -1.0; }
+  /// Above |x|, by a factor of 2 at most.
   static Size magnitude_of(const MpfrFloat& x) {
-    long exponent = 0;
-    const double part = mpfr_get_d_2exp(&exponent, x.v, MPFR_RNDN);
-    return std::ldexp(static_cast<Size>(std::fabs(part)), static_cast<int>(exponent));
+    return std::ldexp(Size(1), static_cast<int>(exponent(x)));
   }
-  static MpfrFloat in_units(Size x) {
-    if (is_exact) return 0.0;
-    int exponent = 0;
-    const MpfrFloat part = static_cast<double>(std::frexp(x, &exponent));
-    return of(mpfr_mul_2si, part.v, exponent - bits);
-  }
+  /// x units are below 2^that.
+  static long exponent_of(Size x) { return is_exact ? -(1L << 30) : std::ilogb(x) + 1 - bits; }
   bool is_positive() const { return mpfr_sgn(v) > 0; }
   bool is_zero() const { return mpfr_zero_p(v) != 0; }
   friend MpfrFloat operator-(const MpfrFloat& x) { return of(mpfr_neg, x.v); }
@@ -90,7 +85,8 @@ public:
   }
   friend MpfrFloat reciprocal_root(const MpfrFloat& x) { return of(mpfr_rec_sqrt, x.v); }
   friend MpfrFloat scaled(const MpfrFloat& x, double power_of_2) {
-    return of(mpfr_mul_d, x.v, power_of_2);
+    const MpfrFloat y = of(mpfr_mul_2si, x.v, std::ilogb(power_of_2));
+    return power_of_2 < 0 ? -y : y;
   }
   friend MpfrFloat near_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
   friend MpfrFloat cancelling_sum(const MpfrFloat& x, const MpfrFloat& y) { return x + y; }
@@ -100,14 +96,11 @@ public:
   friend const MpfrFloat& leading(const MpfrFloat& x) { return x; }
   /// x^n by squaring, 0 < x <= 1, n >= 0 whole; from 2^-480 down that.
   friend MpfrFloat power(MpfrFloat x, const MpfrFloat& n) {
-    const auto times_or_least = [](const MpfrFloat& a, const MpfrFloat& b) {
-      const MpfrFloat product = a * b;
-      return is_above(product, 0x1p-480) ? product : MpfrFloat(0x1p-480);
-    };
     MpfrFloat result = 1.0;
+    const MpfrFloat least = 0x1p-480;
     for (std::int64_t left = to_whole(n); left > 0; left /= 2) {
-      if (left % 2 != 0) result = times_or_least(result, x);
-      x = times_or_least(x, x);
+      if (left % 2 != 0) result = of(mpfr_max, (result * x).v, least.v);
+      x = of(mpfr_max, (x * x).v, least.v);
     }
     return result;
   }
@@ -115,7 +108,8 @@ public:
   template <class Tier>
   friend MpfrFloat arc_tangent(const MpfrFloat& t, const MpfrFloat& z) {
     if (exponent(z) > series_below) return of(mpfr_atan, t.v);
-    return t * series(z, [](long k) { return over(2 * k + 1, double(2 * k - 1)); });
+    const auto q = [](auto& x, long k) { return over(2 * k + 1, of(mpfr_mul_si, x.v, 2 * k - 1)); };
+    return t * series(z, q);
   }
   template <class Tier>
   friend arithmetic::SineCosine<MpfrFloat> sine_cosine(const MpfrFloat& x) {
@@ -125,11 +119,11 @@ public:
   friend arithmetic::SineCosine<MpfrFloat> sine_cosine_small(const MpfrFloat& x) {
     const MpfrFloat square = x * x;
     if (exponent(square) > series_below) return sine_cosine<Tier>(x);
-    return {x * series(square, [](long k) { return over(2 * k * (2 * k + 1)); }),
-            series(square, [](long k) { return over((2 * k - 1) * 2 * k); })};
+    return {x * series(square, [](auto& y, long k) { return over(2 * k * (2 * k + 1), y); }),
+            series(square, [](auto& y, long k) { return over((2 * k - 1) * 2 * k, y); })};
   }
   friend double doubt_of_sign(const MpfrFloat& x, Size error) {
-    return is_above(x, in_units(error)) ? 0.0 : 1.0;
+    return x.is_positive() && exponent(x) > exponent_of(error) ? 0.0 : 1.0;
   }
   friend double doubt_of_range(const MpfrFloat& x, double low, double high) {
     return is_above(x, low) && is_above(high, x) ? 0.0 : 1.0;
@@ -138,7 +132,10 @@ public:
     return mpfr_greater_p(x.v, y.v) != 0;
   }
   friend arithmetic::Rounded<double> rounding_test(const MpfrFloat& x, Size error) {
-    const MpfrFloat e = in_units(error);
+    if (exponent(x) > DBL_MIN_EXP &&
+        mpfr_can_round(x.v, exponent(x) - exponent_of(error), MPFR_RNDN, MPFR_RNDN, DBL_MANT_DIG))
+      return {rounded(x), 0.0};
+    const MpfrFloat e = of(mpfr_set_si_2exp, 1, exponent_of(error));
     const double top = rounded(x + e);
     return {top, top == rounded(x - e) ? 0.0 : 1.0};
   }
@@ -154,15 +151,16 @@ private:
     f(r.v, arguments..., MPFR_RNDN);
     return r;
   }
-  static MpfrFloat over(long n, MpfrFloat x = 1.0) { return of(mpfr_div_si, x.v, n); }
+  static MpfrFloat over(long n, const MpfrFloat& x) { return of(mpfr_div_si, x.v, n); }
   static constexpr long series_below = -16;  // where at most bits/16 terms are needed
-  /// 1 - z r_1 + z^2 r_1 r_2 - ..., without terms below the spare bits; r_k = ratio(k) <= 1.
-  template <class R>
-  static MpfrFloat series(const MpfrFloat& z, R ratio) {
-    MpfrFloat term = -z * ratio(1), sum = MpfrFloat(1.0) + term;
-    for (long k = 2; exponent(term) + exponent(z) > -bits - spare; ++k) {
-      term = -term * z * ratio(k);
-      sum = sum + term;
+  /// 1 - z/q(1) + z^2/(q(1) q(2)) - ..., without terms below the spare bits; q(k) >= 1.
+  template <class Q>
+  static MpfrFloat series(const MpfrFloat& z, Q q) {
+    const MpfrFloat one = 1.0;
+    MpfrFloat sum = one;
+    for (long k = (bits + spare) / -exponent(z); k > 0; --k) {
+      const MpfrFloat rest = z * sum;
+      sum = one - q(rest, k);
     }
     return sum;
   }

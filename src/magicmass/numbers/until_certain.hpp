@@ -9,9 +9,9 @@
 #include "magicmass/numbers/mpfr_float.hpp"
 
 namespace magicmass::numbers {
-/// Numbers of 190 bits first, enough for counts of 62 bits, a double and 40 more.
+/// Numbers of 184 bits first, enough for counts of 62 bits, a double and 40 more.
 /// The last is enough for the smallest alpha: its square has 2^-2148.
-inline constexpr long first_bits = 190 - MpfrFloat::spare;
+inline constexpr long first_bits = 184 - MpfrFloat::spare;
 inline constexpr long last_bits = 8192;
 
 /// MPFR keeps pi, for each thread.

@@ -163,7 +163,19 @@ TEST_CASE("what the last precision leaves open is Undecided, and says how many b
   };
   CHECK_THROWS_WITH(numbers::until_certain("nothing", 0.5, false, never_certain),
                     "nothing at 0.5: still open at " + std::to_string(tried.back()) + " bits");
-  CHECK(tried == std::vector<long>{182, 364, 728, 1456, 2912, 5824, 8192});
+  CHECK(tried == std::vector<long>{176, 352, 704, 1408, 2816, 5632, 8192});
+}
+TEST_CASE("MPFR's tests at their edges: 2^-61 and 2^-59 ulp from a tie or 0, error 2^-60") {
+  numbers::MpfrFloat::bits = 176;
+  for (const double d : {-0x1p-61, 0x1p-61, -0x1.1p-59, 0x1.1p-59})
+    for (const double start : {1.0, 0x1p-1074}) {
+      const double ulp = std::max(0x1p-52 * start, 0x1p-1074);
+      const numbers::MpfrFloat from_0 = d, x = scaled(from_0 + 0.5, ulp) + start;
+      const auto [value, doubt] = rounding_test(x, std::ldexp(ulp, 176 - 60));
+      CHECK((doubt == 0.0) == (std::fabs(d) > 0x1p-60));
+      CHECK((doubt != 0.0 || (value == start + ulp) == (d > 0.0)));
+      CHECK((doubt_of_sign(from_0, 0x1p116) == 0.0) == (d > 0x1p-60));
+    }
 }
 TEST_CASE("a thread that narrowed MPFR's exponents gets the same, and keeps them and its flags") {
   const double alpha = 1e300;
