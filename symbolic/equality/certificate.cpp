@@ -137,13 +137,14 @@ void add_sines(Expr e, Roots& roots) {
   for (int d : all) add_part(d, roots);
   roots.facts = roots.facts + turns;
 }
-// What of `needs` and of roots proves the goal; nothing where it is not found.
+// What of `needs` and of roots proves the goal, or n-th powers of both sides and their signs;
+// nothing where it is not found.
 std::optional<Theorem> proof(Expr goal, const std::vector<Requirement>& needs,
-                             const Theorems& outside, const Domain& domain) {
+                             const Theorems& outside, const Domain& domain, int n = 0) {
   std::optional<Theorem> found;
   is_proved([&] {
     const Expr both = goal.arg(0) - goal.arg(1);
-    Roots roots(Forms(narrowed(domain, needs)), parts_of(both), outside);
+    Roots roots(Forms(narrowed(domain, needs)), parts_of(both), outside, n > 0);
     Theorems& facts = roots.facts;
     for (int pass = 0; pass < 2; ++pass)  // a sign found late names earlier terms anew
       for (const Requirement& r : needs) is_proved([&] { return roots.forms.assume(r), true; });
@@ -172,7 +173,15 @@ std::optional<Theorem> proof(Expr goal, const std::vector<Requirement>& needs,
       return false;
     };
     const auto by_powers = [&](Expr sum) { return vanishes(sum, facts, roots.bounds); };
-    if (!is_found({}) && !is_found(by_powers)) return false;
+    if (n > 0) {
+      const Expr l = goal.arg(0), r = goal.arg(1);
+      Theorems signs;
+      if (n % 2 == 0) signs = {algebra::not_negative(l, facts), algebra::not_negative(r, facts)};
+      const Expr powers = kernel::eq(kernel::power(l, n), kernel::power(r, n));
+      found = algebra::same_root(algebra::cancel(powers, {}, facts), signs);
+    } else if (!is_found({}) && !is_found(by_powers)) {
+      return false;
+    }
     for (Expr h : found->hypotheses())  // not one that nobody is told of
       if (std::ranges::find(needs, h, formula) == needs.end() && !roots.definitions.contains(h))
         found.reset();
@@ -197,6 +206,8 @@ std::optional<Theorem> proof_by_cases(Expr goal, const std::vector<Requirement>&
     }
     if (cases.size() == 2) return algebra::follows(goal, cases);
   }
+  for (int n : {2, 3, 4, 6, 12})
+    if (const auto found = proof(goal, needs, outside, domain, n)) return found;
   return {};
 }
 }  // namespace

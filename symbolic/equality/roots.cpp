@@ -207,7 +207,6 @@ std::optional<Expr> Roots::of_product(Expr root) {
   const Expr x = root.arg(0), product = algebra::simplified(x);
   const bool is_even = !is_call(root, "abs") && order(root) % 2 == 0;
   Expr out = 1;
-  bool is_negative = false;
   for (Expr f : product.op() == Op::Mul ? product.args() : Exprs{product}) {
     const bool is_inverse = is_call(f, "inv");
     if (is_inverse) f = f.arg(0);
@@ -216,18 +215,14 @@ std::optional<Expr> Roots::of_product(Expr root) {
     if (k == 1 && !is_inverse && notation::rational_value(algebra::simplified(product / f)))
       return {};
     if (is_even && k % 2 == 0) f = absolute(f);
-    if (is_even && k % 2 != 0 && !sign_of(f)) {
-      if (!sign_of(-f)) return {};
-      f = kernel::canonical(-f);
-      is_negative = !is_negative;
-    }
+    if (is_even && k % 2 != 0 && !sign_of(f)) return {};
     const bool is_odd = !is_even && !is_call(root, "abs");
     const Expr one = is_odd ? notation::root(order(root), f) : kernel::replace(root, x, f);
     const Expr part =
         kernel::power(one, is_odd ? k * whole(*root_exponent(root) * order(root)) : k);
     out = is_inverse ? out / part : out * part;
   }
-  return is_negative ? std::nullopt : std::optional(out);
+  return out;
 }
 std::optional<Expr> Roots::of_other(Expr root) {
   for (Expr other : others) {
@@ -238,16 +233,6 @@ std::optional<Expr> Roots::of_other(Expr root) {
     if (by_facts(x + y, facts) == Expr(0)) return is_odd ? -other : other;
   }
   return {};
-}
-std::optional<Expr> Roots::of_inverse(Expr root) {  // sqrt(1/u) is 1/sqrt(u)
-  const Expr x = kernel::canonical(root.arg(0));
-  const Expr u = kernel::canonical(algebra::simplified(1 / x));
-  const auto parts = parts_of(u);
-  const bool has_inverse = std::ranges::any_of(parts, [](Expr e) { return is_call(e, "inv"); });
-  if (!is_call(root, "sqrt") || has_inverse || u.weight() >= x.weight()) return {};
-  const auto of = kernel::polynomial(u);
-  const Expr q = of.size() == 1 ? Expr(cln::abs(of.begin()->second)) : Expr(1);
-  return 1 / (kernel::sqrt(q) * kernel::sqrt(kernel::canonical(u / q)));
 }
 /// Bounds of a root of a number, and its equation.
 void Roots::enclose(Expr root) {
@@ -276,8 +261,8 @@ void Roots::add(Expr e) {
   const Exprs is = definition(e);
   if (!is_call(e, "sqrt") && has_value(e)) definitions.insert(is.begin(), is.end());
   for (auto simpler : {&Roots::of_signed, &Roots::of_sum, &Roots::by_factors, &Roots::of_common,
-                       &Roots::of_inverse, &Roots::of_other, &Roots::of_product})
-    if (is_proved([&] {
+                       &Roots::of_other, &Roots::of_product})
+    if (!is_plain && is_proved([&] {
           const auto t = (this->*simpler)(e);
           if (!t || has_part(*t, e)) return false;
           see(*t);

@@ -22,9 +22,9 @@ inline bool is_bound(const Theorem& t) {
 /// What is known of the roots of a goal. What may have no value has no definition among them.
 class Roots {
 public:
-  /// `outside`: what is assumed, without the case that is being proved.
-  Roots(const Forms& of_terms, const Exprs& parts, const Theorems& outside)
-      : forms(of_terms), typed(parts.begin(), parts.end()), certain(outside) {}
+  /// `outside`: what is assumed, without the case that is being proved. `plain`: each root stays.
+  Roots(const Forms& of_terms, const Exprs& parts, const Theorems& outside, bool plain)
+      : forms(of_terms), is_plain(plain), typed(parts.begin(), parts.end()), certain(outside) {}
 
   Forms forms;
   Theorems facts = {};
@@ -45,6 +45,7 @@ public:
   bool solve_for_one(Expr goal, const std::function<Theorem(Expr)>& rest);
 
 private:
+  bool is_plain;
   std::set<Expr> typed;                    // parts of the goal
   Theorems certain;                        // whatever the case
   std::map<Expr, cln::cl_I> orders = {};   // of each factor
@@ -54,7 +55,7 @@ private:
   Theorems of_roots = {};  // bounds of numbers
 
   using Simpler = std::optional<Expr>(Expr root);
-  Simpler of_common, of_signed, of_sum, by_factors, of_inverse, of_other, of_product;
+  Simpler of_common, of_signed, of_sum, by_factors, of_other, of_product;
   Expr least_root(Expr x, int n);
   bool has_value(Expr root) const;
   void enclose(Expr root);
