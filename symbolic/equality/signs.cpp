@@ -174,12 +174,12 @@ int Forms::sign_of_composite(const Sum& sum) {
   return sign;
 }
 int Forms::sign_by_terms(const Sum& sum) {
-  const auto constant = [](Expr atom, const Exponent& e) {  // pi/2 - 1 of pi/2 s - s
-    const bool is_number = atom != circle() && kernel::free_variables(atom).empty() && number_of(e);
-    return is_number ? e : Exponent();
+  const auto part = [&](Expr atom, const Exponent& e) {  // pi/2 - 1 of pi/2 s - s
+    if (atom == circle()) return constant(atom, e) + exponent(constant_part(e));
+    return kernel::free_variables(atom).empty() && number_of(e) ? e : Exponent();
   };
   int total = 0;
-  for (const auto& [powers, coefficient] : coefficients(sum, constant)) {
+  for (const auto& [powers, coefficient] : coefficients(sum, part)) {
     const int sign = product(sign_of_powers(powers), sign_of_number(coefficient));
     if (sign == 0 || product(total, sign) < 0) return 0;
     total = std::abs(sign) > std::abs(total) ? sign : total;
