@@ -8,10 +8,6 @@ constexpr int highest_order = 24;
 constexpr std::size_t most_bounds = 6;  // that are multiplied by one another
 
 int order(Expr root) { return is_call(root, "abs") ? 2 : order_of(root); }
-bool has_part(Expr e, Expr part) {
-  const auto parts = parts_of(kernel::canonical(e));
-  return std::ranges::find(parts, kernel::canonical(part)) != parts.end();
-}
 Expr by_facts(Expr e, const Theorems& facts) {
   e = kernel::canonical(e);
   for (auto is = facts.rbegin(); is != facts.rend(); ++is)  // outer roots first
@@ -38,7 +34,7 @@ bool is_polynomial_bound(const Theorem& t) {
   return is_bound(t) && std::ranges::none_of(parts, is_function);
 }
 // 0 < e or 0 <= e, of two terms by their squares, of a quadratic polynomial by others in it.
-std::optional<Theorem> by_squares(Expr e, const Theorems& facts, const Theorems& of_roots) {
+std::optional<Theorem> by_squares(Expr e, const Theorems& facts, const Theorems& of_constants) {
   for (bool strict : {true, false})
     if (const auto sign = algebra::sign_of(e, facts, strict)) return sign;
   for (Expr more : e.op() == Op::Add && e.size() == 2 ? e.args() : Exprs())
@@ -49,7 +45,7 @@ std::optional<Theorem> by_squares(Expr e, const Theorems& facts, const Theorems&
   for (std::size_t i = 0; i < count && count <= most_bounds; ++i)
     for (std::size_t k = 0; k < i; ++k) bounds.push_back(algebra::times(bounds[i], bounds[k]));
   if (count <= most_bounds)
-    if (const auto sign = algebra::linear_if(kernel::le(0, e), bounds + of_roots)) return sign;
+    if (const auto sign = algebra::linear_if(kernel::le(0, e), bounds + of_constants)) return sign;
   for (Expr x : kernel::free_variables(e)) {
     const auto [a, b, c] = quadratic_in(e, x);
     const auto top = notation::rational_value(kernel::canonical(a));
@@ -57,7 +53,7 @@ std::optional<Theorem> by_squares(Expr e, const Theorems& facts, const Theorems&
     const Expr square = kernel::power(x + Expr(1 / (2 * *top)) * b, 2);
     const Expr others = kernel::canonical(e - Expr(*top) * square);
     if (kernel::free_variables(others).contains(x)) continue;
-    const auto rest = by_squares(others, {}, of_roots);
+    const auto rest = by_squares(others, {}, of_constants);
     if (!rest) continue;
     const bool is_strict = rest->conclusion().op() == Op::Lt;
     return algebra::linear(is_strict ? kernel::lt(0, e) : kernel::le(0, e),
@@ -250,7 +246,6 @@ void Roots::enclose(Expr root) {
   bounds.add_root(is[0], Theorems(is.begin() + 1, is.end()));
   facts.push_back(is[0]);
   const Expr canonical = kernel::canonical(root);
-  of_roots = of_roots + Theorems{bounds.of(canonical).above, bounds.of(canonical).below};
   if (const auto sign = algebra::sign_of(canonical, {bounds.of(canonical).above}))
     facts.push_back(*sign);
 }
@@ -264,7 +259,7 @@ void Roots::add(Expr e) {
                        &Roots::of_other, &Roots::of_product})
     if (!is_plain && is_proved([&] {
           const auto t = (this->*simpler)(e);
-          if (!t || has_part(*t, e)) return false;
+          if (!t || kernel::replace(*t, e, 0) != *t) return false;
           see(*t);
           add(*t);
           add_sign(*t);
@@ -289,8 +284,17 @@ void Roots::add(Expr e) {
 }
 void Roots::add_sum(Expr sum) {
   if (sum.op() != Op::Add || is_constant(sum) || !seen.insert(sum).second) return;
+  Theorems of_constants;
+  for (Expr part : parts_of(sum))
+    is_proved([&] {
+      if (!is_constant(part) || part.op() != Op::Fun) return false;
+      const Expr plain = algebra::reduced(part, facts);
+      const Theorem same = algebra::equation(part, plain, facts);
+      const auto& near = bounds.of(plain);
+      return of_constants = of_constants + Theorems{same, near.above, near.below}, true;
+    });
   for (Expr side : {sum, kernel::canonical(-sum)})
-    if (const auto sign = by_squares(side, signs, of_roots)) {
+    if (const auto sign = by_squares(side, signs, of_constants)) {
       signs.push_back(*sign);
       facts.push_back(*sign);
     }

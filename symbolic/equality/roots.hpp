@@ -51,8 +51,7 @@ private:
   std::map<Expr, cln::cl_I> orders = {};   // of each factor
   std::map<Expr, int> common_orders = {};  // of roots of one term
   std::set<Expr> seen = {};
-  Exprs others = {};       // that are not known by simpler ones
-  Theorems of_roots = {};  // bounds of numbers
+  Exprs others = {};  // that are not known by simpler ones
 
   using Simpler = std::optional<Expr>(Expr root);
   Simpler of_common, of_signed, of_sum, by_factors, of_other, of_product;
