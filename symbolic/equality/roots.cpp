@@ -194,7 +194,9 @@ std::optional<Expr> Roots::of_common(Expr root) {
   const auto common = common_orders.find(kernel::canonical(x));
   if (is_call(root, "abs") || x.op() == Op::Num || common == common_orders.end()) return {};
   const int n = common->second, k = whole(*root_exponent(root) * n);
-  if (k == 1 || n > highest_order || (n % 2 == 0 && !sign_of(x))) return {};
+  if (k == 1 || n > highest_order ||
+      (n % 2 == 0 && !algebra::sign_of(kernel::canonical(x), facts, false)))
+    return {};
   const Expr power = kernel::power(least_root(x, n), std::abs(k));
   return k > 0 ? power : 1 / power;
 }
@@ -211,7 +213,7 @@ std::optional<Expr> Roots::of_product(Expr root) {
     if (k == 1 && !is_inverse && notation::rational_value(algebra::simplified(product / f)))
       return {};
     if (is_even && k % 2 == 0) f = absolute(f);
-    if (is_even && k % 2 != 0 && !sign_of(f)) return {};
+    if (is_even && k % 2 != 0 && !algebra::sign_of(kernel::canonical(f), facts, false)) return {};
     const bool is_odd = !is_even && !is_call(root, "abs");
     const Expr one = is_odd ? notation::root(order(root), f) : kernel::replace(root, x, f);
     const Expr part =
@@ -309,9 +311,6 @@ void Roots::add_sign_of(Expr root) {  // by that of its base
       const Theorems known{is[0], algebra::not_negative(base, facts)};
       return facts.push_back(algebra::by_powers(kernel::le(0, side), order(root), known)), true;
     });
-}
-std::optional<Theorem> Roots::sign_of(Expr e) const {
-  return algebra::sign_of(kernel::canonical(e), facts, false);
 }
 bool Roots::add_sign(Expr constant) {
   return is_constant(constant) &&

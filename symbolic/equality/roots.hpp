@@ -60,6 +60,5 @@ private:
   void enclose(Expr root);
   void add_sum(Expr sum);
   void add_sign_of(Expr root);
-  std::optional<Theorem> sign_of(Expr e) const;
 };
 }  // namespace equality

@@ -233,17 +233,20 @@ int Forms::sign_of_cosine(const Sum& sum) {
   }
   return 0;
 }
-// a + b for a root a and b of the other sign has the sign of a^d - b^d, d even, or the other one.
+// a + b for a root a and b of the other sign has the sign of a^d - b^d, d even, or the other one;
+// |b| + b is not negative.
 int Forms::sign_of_root(const Sum& sum) {
   for (const auto& [powers, q] : sum) {
     cln::cl_I order = 1;
     for (const auto& [atom, e] : powers)
       order = cln::lcm(order, cln::denominator(constant_part(e)));
-    const Sum root{{powers, q}};
-    const int side = order == 1 ? 0 : product(sign_of_powers(powers), q > 0 ? 2 : -2);
-    if (side == 0 || order > most_roots || side * sign_of(sum - root) >= 0) continue;
+    const Sum root{{powers, q}}, rest = sum - root;
+    const int side = product(sign_of_powers(powers), q > 0 ? 2 : -2);
+    if (rest.size() == 1 && side != 0 && integer_power(root, 2) == integer_power(rest, 2))
+      return side > 0 ? 1 : -1;
+    if (order == 1 || side == 0 || order > most_roots || side * sign_of(rest) >= 0) continue;
     const int d = cln::cl_I_to_int(cln::lcm(order, 2));
-    const int sign = sign_of(integer_power(root, d) - integer_power(sum - root, d));
+    const int sign = sign_of(integer_power(root, d) - integer_power(rest, d));
     if (sign != 0) return side > 0 ? sign : -sign;
   }
   return 0;
