@@ -137,8 +137,7 @@ void add_sines(Expr e, Roots& roots) {
   for (int d : all) add_part(d, roots);
   roots.facts = roots.facts + turns;
 }
-// What of `needs` and of roots proves the goal, or n-th powers of both sides and their signs;
-// nothing where it is not found.
+// What `needs` and roots prove, if found; for n > 0 from n-th powers of both sides and their signs.
 std::optional<Theorem> proof(Expr goal, const std::vector<Requirement>& needs,
                              const Theorems& outside, const Domain& domain, int n = 0) {
   std::optional<Theorem> found;
@@ -157,8 +156,8 @@ std::optional<Theorem> proof(Expr goal, const std::vector<Requirement>& needs,
     is_proved([&] { return roots.see(both), true; });
     add_sines(both, roots);
     for (const Requirement& r : needs) {
-      if (!is_constant(r.term)) continue;
       roots.add(r.term);
+      if (!is_constant(r.term)) continue;
       const bool is_sure = roots.add_sign(r.term);
       if (!is_sure || r.kind != Need::NotZero) facts.push_back(kernel::assume(formula(r)));
     }
@@ -194,7 +193,9 @@ std::optional<Theorem> proof_by_cases(Expr goal, const std::vector<Requirement>&
                                       const Domain& domain) {
   const Theorems outside = assumptions(needs);
   if (const auto found = proof(goal, needs, outside, domain)) return found;
-  for (Expr e : turns(goal)) {
+  Expr terms = goal.arg(0) - goal.arg(1);
+  for (const Requirement& r : needs) terms = terms + r.term;
+  for (Expr e : turns(terms)) {
     Theorems cases;
     for (auto [side, is] : {std::pair(e, kernel::le(0, e)), {-e, kernel::le(e, 0)}}) {
       auto there = needs;

@@ -316,7 +316,6 @@ bool Roots::add_sign(Expr constant) {
   return is_constant(constant) &&
          is_proved([&] { return facts.push_back(bounds.sign(constant)), true; });
 }
-/// One root as both sides are equal, if it is that: two could be written by one another.
 bool Roots::solve_for_one(Expr goal, const std::function<Theorem(Expr)>& rest) {
   const Expr equation = kernel::eq(by_facts(goal.arg(0) - goal.arg(1), facts), 0);
   const auto is_solved = [&](Expr root) {
