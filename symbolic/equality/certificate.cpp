@@ -69,8 +69,7 @@ void name_bases(Expr e, kernel::Substitution& names, Theorems& turned) {
   }
   for (Expr part : e.args()) name_bases(part, names, turned);
 }
-// cos(t)^n in lower powers, t = pi/d: sin(nt) = sin((n + 1)t), and both are sin(t) times
-// polynomials in cos(t).
+// cos(t)^n, t = pi/d, in lower powers: sin(nt) = sin((n + 1)t), by sin(t) polynomials in cos(t).
 Theorem power_of_cosine(int d) {
   const Expr x = kernel::real("x"), pi = kernel::pi(), t = pi / d, c = kernel::cos(t),
              s = kernel::sin(t);

@@ -40,6 +40,7 @@ std::optional<cln::cl_RA> number_of(const Exponent& e);
 std::optional<int> whole_number(const Exponent& e);
 inline bool is_whole(const cln::cl_RA& q) { return cln::denominator(q) == 1; }
 inline bool is_even(const cln::cl_RA& whole) { return cln::evenp(cln::numerator(whole)); }
+inline bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 bool is_arcus(Expr e);
 void multiply(Product& into, Expr atom, const Exponent& exponent);
 /// What cannot be computed is not proved.

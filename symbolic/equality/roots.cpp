@@ -29,9 +29,8 @@ std::optional<Theorem> is_less(Expr less, Expr more, const Theorems& facts) {
 }
 // Products of others would take long.
 bool is_polynomial_bound(const Theorem& t) {
-  const auto parts = parts_of(t.conclusion());
   const auto is_function = [](Expr e) { return e.op() == Op::Fun && !is_constant(e); };
-  return is_bound(t) && std::ranges::none_of(parts, is_function);
+  return is_bound(t) && std::ranges::none_of(parts_of(t.conclusion()), is_function);
 }
 // 0 < e or 0 <= e, of two terms by their squares, of a quadratic polynomial by others in it.
 std::optional<Theorem> by_squares(Expr e, const Theorems& facts, const Theorems& of_constants) {

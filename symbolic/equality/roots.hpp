@@ -12,7 +12,6 @@ using algebra::Theorems;
 bool is_root(Expr e);
 /// Of +, *, quotients, roots, symbols and sines of parts of pi.
 bool is_algebraic_term(Expr e);
-inline bool is_sine(Expr e) { return is_call(e, "sin") || is_call(e, "cos"); }
 inline bool is_constant(Expr e) { return kernel::free_variables(e).empty(); }
 /// Whether it is p < q or p <= q.
 inline bool is_bound(const Theorem& t) {

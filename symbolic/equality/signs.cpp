@@ -271,8 +271,10 @@ int Forms::sign_by_shift(const Sum& sum) {
     if (!range.high && (!range.low || range.low->value == 0)) continue;
     const End& start = range.low ? *range.low : *range.high;
     const bool is_bounded = range.low && range.high;
-    // Of an integer, so that its powers stay powers.
+    // Of an integer, so that its powers stay powers; not of an angle.
+    const auto has_x = [&](Expr p) { return is_sine(p) && kernel::free_variables(p).contains(x); };
     if (range.is_integer && (is_bounded || !is_whole(start.value))) continue;
+    if (std::ranges::any_of(parts_of(*e), has_x)) continue;
     const Expr s = kernel::real("above_" + x.name());  // which nobody can type
     Domain inner = where;
     inner.ranges.erase(x);
