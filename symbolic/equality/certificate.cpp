@@ -136,13 +136,38 @@ void add_sines(Expr e, Roots& roots) {
   for (int d : all) add_part(d, roots);
   roots.facts = roots.facts + turns;
 }
-// What `needs` and roots prove, if found; for n > 0 from n-th powers of both sides and their signs.
+// l = r, added to the facts, from n-th powers of both and their signs.
+bool is_same_by_powers(Expr l, Expr r, Theorems& facts) {
+  const auto is_by = [&](int n) {
+    Theorems signs;
+    if (n % 2 == 0) signs = {algebra::not_negative(l, facts), algebra::not_negative(r, facts)};
+    const Expr powers = kernel::eq(kernel::power(l, n), kernel::power(r, n));
+    return facts.push_back(algebra::same_root(algebra::cancel(powers, {}, facts), signs)), true;
+  };
+  const auto orders = {2, 3, 4, 6, 12};
+  return std::ranges::any_of(orders, [&](int n) { return is_proved([&] { return is_by(n); }); });
+}
+// The same of terms of l - r that have one form, but for a factor.
+void add_terms(Expr difference, Roots& roots) {
+  Exprs units;
+  for (const auto& [monomial, q] : kernel::Polynomial(kernel::polynomial(difference)))
+    units.push_back(kernel::expression({{monomial, 1}}));
+  for (std::size_t i = 0; i < units.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k)
+      is_proved([&] {
+        const Sum a = roots.forms.of(units[i]), b = roots.forms.of(units[k]);
+        if (a.empty() || b.empty()) return false;
+        const cln::cl_RA q = a.begin()->second / b.begin()->second;
+        return scaled(b, q) == a && is_same_by_powers(units[i], Expr(q) * units[k], roots.facts);
+      });
+}
+// What `needs` and roots prove, if found; `by_terms`: also from powers of sides and of terms.
 std::optional<Theorem> proof(Expr goal, const std::vector<Requirement>& needs,
-                             const Theorems& outside, const Domain& domain, int n = 0) {
+                             const Theorems& outside, const Domain& domain, bool by_terms = false) {
   std::optional<Theorem> found;
   is_proved([&] {
     const Expr both = goal.arg(0) - goal.arg(1);
-    Roots roots(Forms(narrowed(domain, needs)), parts_of(both), outside, n > 0);
+    Roots roots(Forms(narrowed(domain, needs)), parts_of(both), outside, by_terms);
     Theorems& facts = roots.facts;
     for (int pass = 0; pass < 2; ++pass)  // a sign found late names earlier terms anew
       for (const Requirement& r : needs) is_proved([&] { return roots.forms.assume(r), true; });
@@ -171,15 +196,9 @@ std::optional<Theorem> proof(Expr goal, const std::vector<Requirement>& needs,
       return false;
     };
     const auto by_powers = [&](Expr sum) { return vanishes(sum, facts, roots.bounds); };
-    if (n > 0) {
-      const Expr l = goal.arg(0), r = goal.arg(1);
-      Theorems signs;
-      if (n % 2 == 0) signs = {algebra::not_negative(l, facts), algebra::not_negative(r, facts)};
-      const Expr powers = kernel::eq(kernel::power(l, n), kernel::power(r, n));
-      found = algebra::same_root(algebra::cancel(powers, {}, facts), signs);
-    } else if (!is_found({}) && !is_found(by_powers)) {
-      return false;
-    }
+    if (by_terms && is_same_by_powers(goal.arg(0), goal.arg(1), facts)) found = facts.back();
+    if (by_terms && !found) add_terms(both, roots);
+    if (!found && !is_found({}) && (by_terms || !is_found(by_powers))) return false;
     for (Expr h : found->hypotheses())  // not one that nobody is told of
       if (std::ranges::find(needs, h, formula) == needs.end() && !roots.definitions.contains(h))
         found.reset();
@@ -206,9 +225,7 @@ std::optional<Theorem> proof_by_cases(Expr goal, const std::vector<Requirement>&
     }
     if (cases.size() == 2) return algebra::follows(goal, cases);
   }
-  for (int n : {2, 3, 4, 6, 12})
-    if (const auto found = proof(goal, needs, outside, domain, n)) return found;
-  return {};
+  return proof(goal, needs, outside, domain, true);
 }
 }  // namespace
 

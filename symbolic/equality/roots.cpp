@@ -1,7 +1,5 @@
 #include "equality/roots.hpp"
 
-#include <numeric>
-
 namespace equality {
 namespace {
 constexpr int highest_order = 24;
@@ -131,8 +129,6 @@ bool Roots::has_value(Expr root) const {
 void Roots::see(Expr e) {
   for (Expr part : e.args()) see(part);
   if (!is_root(e)) return;
-  int& common = common_orders.try_emplace(kernel::canonical(e.arg(0)), 1).first->second;
-  common = std::lcm(common, is_call(e, "abs") ? 1 : order(e));
   for (const auto& [product, q] : forms.of(e))
     for (const auto& [factor, power] : product) {
       cln::cl_I& order = orders.try_emplace(factor, 1).first->second;
@@ -188,17 +184,6 @@ std::optional<Expr> Roots::of_signed(Expr root) {
       return t;
   return {};
 }
-std::optional<Expr> Roots::of_common(Expr root) {
-  const Expr x = root.arg(0);
-  const auto common = common_orders.find(kernel::canonical(x));
-  if (is_call(root, "abs") || x.op() == Op::Num || common == common_orders.end()) return {};
-  const int n = common->second, k = whole(*root_exponent(root) * n);
-  if (k == 1 || n > highest_order ||
-      (n % 2 == 0 && !algebra::sign_of(kernel::canonical(x), facts, false)))
-    return {};
-  const Expr power = kernel::power(least_root(x, n), std::abs(k));
-  return k > 0 ? power : 1 / power;
-}
 /// By roots of factors, as the n-th root of x^n is x or |x|.
 std::optional<Expr> Roots::of_product(Expr root) {
   const Expr x = root.arg(0), product = algebra::simplified(x);
@@ -220,16 +205,6 @@ std::optional<Expr> Roots::of_product(Expr root) {
     out = is_inverse ? out / part : out * part;
   }
   return out;
-}
-std::optional<Expr> Roots::of_other(Expr root) {
-  for (Expr other : others) {
-    if (root_exponent(other) != root_exponent(root)) continue;
-    const Expr x = root.arg(0), y = other.arg(0);
-    if (by_facts(x - y, facts) == Expr(0)) return other;
-    const bool is_odd = cln::oddp(cln::numerator(root_exponent(root).value_or(0)));
-    if (by_facts(x + y, facts) == Expr(0)) return is_odd ? -other : other;
-  }
-  return {};
 }
 /// Bounds of a root of a number, and its equation.
 void Roots::enclose(Expr root) {
@@ -256,8 +231,7 @@ void Roots::add(Expr e) {
   if (!is_root(e) || !seen.insert(kernel::canonical(e)).second) return;
   const Exprs is = definition(e);
   if (!is_call(e, "sqrt") && has_value(e)) definitions.insert(is.begin(), is.end());
-  for (auto simpler : {&Roots::of_signed, &Roots::of_sum, &Roots::by_factors, &Roots::of_common,
-                       &Roots::of_other, &Roots::of_product})
+  for (auto simpler : {&Roots::of_signed, &Roots::of_sum, &Roots::by_factors, &Roots::of_product})
     if (!is_plain && is_proved([&] {
           const auto t = (this->*simpler)(e);
           if (!t || kernel::replace(*t, e, 0) != *t) return false;

@@ -45,15 +45,14 @@ public:
 
 private:
   bool is_plain;
-  std::set<Expr> typed;                    // parts of the goal
-  Theorems certain;                        // whatever the case
-  std::map<Expr, cln::cl_I> orders = {};   // of each factor
-  std::map<Expr, int> common_orders = {};  // of roots of one term
+  std::set<Expr> typed;                   // parts of the goal
+  Theorems certain;                       // whatever the case
+  std::map<Expr, cln::cl_I> orders = {};  // of each factor
   std::set<Expr> seen = {};
   Exprs others = {};  // that are not known by simpler ones
 
   using Simpler = std::optional<Expr>(Expr root);
-  Simpler of_common, of_signed, of_sum, by_factors, of_other, of_product;
+  Simpler of_signed, of_sum, by_factors, of_product;
   Expr least_root(Expr x, int n);
   bool has_value(Expr root) const;
   void enclose(Expr root);
