@@ -174,8 +174,11 @@ int Forms::sign_of_composite(const Sum& sum) {
   return sign;
 }
 int Forms::sign_by_terms(const Sum& sum) {
-  const auto part = [&](Expr atom, const Exponent& e) {  // pi/2 - 1 of pi/2 s - s
-    if (atom == circle()) return constant(atom, e) + exponent(constant_part(e));
+  const auto part = [](Expr atom, const Exponent& e) {  // pi/2 - 1 of pi/2 s - s
+    Exponent fixed;
+    for (const auto& [term, q] : e)
+      if (kernel::free_variables(kernel::expression({{term, 1}})).empty()) fixed[term] = q;
+    if (atom == circle()) return fixed;
     return kernel::free_variables(atom).empty() && number_of(e) ? e : Exponent();
   };
   int total = 0;
