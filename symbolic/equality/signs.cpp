@@ -144,10 +144,11 @@ bool Forms::has_sign(const Sum& sum, int sign, bool strictly) {
   for (const auto& [known, strength] : assumed) {
     const cln::cl_RA ratio = sum.begin()->second / known.begin()->second;
     if (scaled(known, ratio) == sum && fits(ratio > 0 ? strength : -strength)) return true;
-    const Sum rest = sum - known;  // z - y of z - x, where y - x is known
-    if (strength * sign <= 0 || rest.size() > sum.size() || depth >= few_deep) continue;
+    // z - y of z - x, where y - x is known, or x - y
+    const Sum rest = sum - scaled(known, strength * sign > 0 ? 1 : -1);
+    if (rest.size() > sum.size() || depth >= few_deep) continue;
     ++depth;
-    const bool is_strict = strictly && strength * sign == 1;
+    const bool is_strict = strictly && std::abs(strength) == 1;
     const bool is_sum = is_proved([&] { return has_sign(rest, sign, is_strict); });
     --depth;
     if (is_sum) return true;
