@@ -249,7 +249,7 @@ int Forms::sign_of_root(const Sum& sum) {
       return side > 0 ? 1 : -1;
     if (order == 1 || side == 0 || order > most_roots || side * sign_of(rest) >= 0) continue;
     const int d = cln::cl_I_to_int(cln::lcm(order, 2));
-    if (d > 2 && depth > 1) continue;  // powers of powers take long
+    if (d > 2 && depth >= few_deep) continue;  // powers of powers take long
     const int sign = sign_of(integer_power(root, d) - integer_power(rest, d));
     if (sign != 0) return side > 0 ? sign : -sign;
   }

@@ -21,7 +21,7 @@ public:
   using Value = MpfrFloat;
   using Result = double;
   static constexpr bool is_wide = true;
-  static inline thread_local long bits = 182;
+  static inline thread_local long bits = 176;
   static constexpr long spare = 8;
   /// For inputs whose results are computed without rounding: bounds are 0 then.
   static inline thread_local bool is_exact = false;
